@@ -1,0 +1,47 @@
+"""The local frame: x east, y north [m], azimuthal equidistant about an origin on a planet's ellipsoid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from pyproj import Transformer
+
+from planners.kernel import Floats
+
+WGS84_A = 6378137.0  # [m] semi-major axis, NGA.STND.0036 table 3.1
+WGS84_B = 6356752.314245  # [m] semi-minor axis, same source
+FAITHFUL_RANGE = 200e3  # [m] beyond it, distances across the frame are stretched by more than 0.02 %
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A local frame about the geodetic position (`lat`, `lon`) [deg] on the ellipsoid with semi-axes `a`, `b` [m]."""
+
+    lat: float
+    lon: float
+    a: float = WGS84_A
+    b: float = WGS84_B
+
+    def to_local(self, lat: Floats, lon: Floats) -> Floats:
+        """Geodetic latitudes and longitudes [deg], each (N,), to x, y [m] as (N, 2)."""
+        x, y = _transformer(self).transform(np.asarray(lon, dtype=float), np.asarray(lat, dtype=float))
+        return np.column_stack([x, y])
+
+    def to_geographic(self, xy: Floats) -> Floats:
+        """x, y [m] as (N, 2) to geodetic latitude, longitude [deg] as (N, 2)."""
+        lon, lat = _transformer(self).transform(xy[:, 0], xy[:, 1], direction="INVERSE")
+        return np.column_stack([lat, lon])
+
+
+@lru_cache(maxsize=64)
+def _transformer(frame: Frame) -> Transformer:
+    return Transformer.from_pipeline(
+        f"+proj=aeqd +lat_0={frame.lat!r} +lon_0={frame.lon!r} +a={frame.a!r} +b={frame.b!r}"
+    )
+
+
+def point_transform(frame: Frame) -> Transformer:
+    """The raw transformer, `transform(lon, lat) -> (x, y)`, for loops that convert one point at a time."""
+    return _transformer(frame)

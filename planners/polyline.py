@@ -1,0 +1,93 @@
+"""Kernels on polylines: the nearest point, the point at an arc length, gradual headings."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from planners.kernel import Floats, kernel
+
+
+def headings_and_bends(steps: Floats, s: Floats, tolerance: float) -> tuple[Floats, Floats, Floats, Floats]:
+    """Segment headings, vertex turns, and the knots (s, heading) between which the heading is linear.
+
+    The turn d at a vertex is spread over half of each adjoining leg, but over no more than 8 `tolerance` / d: an arc of
+    width w that turns by d leaves its vertex by about w d / 8.
+    """
+    raw = np.arctan2(steps[:, 1], steps[:, 0])
+    inner = (np.diff(raw) + np.pi) % (2.0 * np.pi) - np.pi
+    headings = raw[0] + np.concatenate([[0.0], np.cumsum(inner)])
+    turns = np.concatenate([[0.0], inner, [0.0]])
+    legs = np.diff(s)
+    reach = 4.0 * tolerance / np.maximum(np.abs(inner), 1e-9)
+    knots = np.column_stack([s[1:-1] - np.minimum(reach, legs[:-1] / 2), s[1:-1] + np.minimum(reach, legs[1:] / 2)])
+    values = np.column_stack([headings[:-1], headings[1:]])
+    bend_s = np.concatenate([[0.0], knots.ravel(), [s[-1]]])
+    bend_heading = np.concatenate([headings[:1], values.ravel(), headings[-1:]])
+    return headings, turns, bend_s, bend_heading
+
+
+@kernel
+def interpolate(x: float, knots: Floats, values: Floats) -> float:
+    """Linear interpolation at `x`, constant beyond the ends; `knots` (N,) ascending."""
+    n = len(knots)
+    if x <= knots[0]:
+        return float(values[0])
+    if x >= knots[n - 1]:
+        return float(values[n - 1])
+    i = np.searchsorted(knots, x, side="right") - 1
+    share = (x - knots[i]) / (knots[i + 1] - knots[i])
+    return float(values[i] + share * (values[i + 1] - values[i]))
+
+
+@kernel
+def point_on_polyline(s: float, points: Floats, arc: Floats) -> tuple[float, float]:
+    """The point at arc length `s` of `points` (N, 2+); the outer segments go on beyond the ends."""
+    n = len(arc)
+    i = min(max(np.searchsorted(arc, s, side="right") - 1, 0), n - 2)
+    share = (s - arc[i]) / (arc[i + 1] - arc[i])
+    x = points[i, 0] + share * (points[i + 1, 0] - points[i, 0])
+    y = points[i, 1] + share * (points[i + 1, 1] - points[i, 1])
+    return x, y
+
+
+@kernel
+def nearest_on_polyline(
+    x: float, y: float, s_from: float, s_to: float, points: Floats, arc: Floats
+) -> tuple[float, int, float, float, float]:
+    """Arc length, segment, place and signed distance of the point nearest to (x, y) between `s_from` and `s_to`.
+
+    The distance is positive left of the line; at a vertex the normal of the bisector decides the side. A segment at an
+    end of the line goes on beyond it where the window does.
+    """
+    last = len(arc) - 2
+    first = min(max(np.searchsorted(arc, s_from, side="right") - 1, 0), last)
+    best = math.inf
+    s_best, i_best, x_best, y_best = 0.0, 0, 0.0, 0.0
+    for i in range(first, last + 1):
+        if i > first and arc[i] > s_to:
+            break
+        leg = arc[i + 1] - arc[i]
+        ux = (points[i + 1, 0] - points[i, 0]) / leg
+        uy = (points[i + 1, 1] - points[i, 1]) / leg
+        low = s_from - arc[i] if i == 0 else max(0.0, s_from - arc[i])
+        high = s_to - arc[i] if i == last else min(leg, s_to - arc[i])
+        along = ux * (x - points[i, 0]) + uy * (y - points[i, 1])
+        along = max(min(along, high), low)
+        px = points[i, 0] + along * ux
+        py = points[i, 1] + along * uy
+        distance = math.hypot(x - px, y - py)
+        if distance < best:
+            best = distance
+            s_best, i_best, x_best, y_best = arc[i] + along, i, px, py
+    ax = points[i_best + 1, 0] - points[i_best, 0]
+    ay = points[i_best + 1, 1] - points[i_best, 1]
+    if s_best == arc[i_best + 1] and i_best < last:
+        leg_in, leg_out = arc[i_best + 1] - arc[i_best], arc[i_best + 2] - arc[i_best + 1]
+        bx = ax / leg_in + (points[i_best + 2, 0] - points[i_best + 1, 0]) / leg_out
+        by = ay / leg_in + (points[i_best + 2, 1] - points[i_best + 1, 1]) / leg_out
+        if bx * bx + by * by > 1e-18:
+            ax, ay = bx, by
+    side = ax * (y - y_best) - ay * (x - x_best)
+    return s_best, i_best, x_best, y_best, math.copysign(best, side)
