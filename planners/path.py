@@ -110,7 +110,9 @@ class Path:
         The nearest point wins, the earlier one of two equally near. Where the first or the last segment lies in the
         window's open end, it goes on beyond the path.
         """
-        s, segment, px, py, e = nearest_on_polyline(x, y, s_from, s_to, self.points, self.s)
+        s, segment, px, py, e = nearest_on_polyline(
+            float(x), float(y), float(s_from), float(s_to), self.points, self.s
+        )
         return Projection(s, segment, px, py, self.heading_at(s), e)
 
     def resample(self, spacing: float) -> Path:

@@ -64,26 +64,28 @@ def nearest_on_polyline(
     last = len(arc) - 2
     first = min(max(np.searchsorted(arc, s_from, side="right") - 1, 0), last)
     best = math.inf
-    s_best, i_best, x_best, y_best = 0.0, 0, 0.0, 0.0
+    i_best, share_best = first, 0.0
     for i in range(first, last + 1):
         if i > first and arc[i] > s_to:
             break
         leg = arc[i + 1] - arc[i]
-        ux = (points[i + 1, 0] - points[i, 0]) / leg
-        uy = (points[i + 1, 1] - points[i, 1]) / leg
-        low = s_from - arc[i] if i == 0 else max(0.0, s_from - arc[i])
-        high = s_to - arc[i] if i == last else min(leg, s_to - arc[i])
-        along = ux * (x - points[i, 0]) + uy * (y - points[i, 1])
-        along = max(min(along, high), low)
-        px = points[i, 0] + along * ux
-        py = points[i, 1] + along * uy
-        distance = math.hypot(x - px, y - py)
-        if distance < best:
-            best = distance
-            s_best, i_best, x_best, y_best = arc[i] + along, i, px, py
+        low = (s_from - arc[i]) / leg if i == 0 else max(0.0, (s_from - arc[i]) / leg)
+        high = (s_to - arc[i]) / leg if i == last else min(1.0, (s_to - arc[i]) / leg)
+        ax, ay = points[i + 1, 0] - points[i, 0], points[i + 1, 1] - points[i, 1]
+        dx, dy = x - points[i, 0], y - points[i, 1]
+        share = max(min((ax * dx + ay * dy) / (leg * leg), high), low)
+        dx -= share * ax
+        dy -= share * ay
+        square = dx * dx + dy * dy
+        if square < best:
+            best, i_best, share_best = square, i, share
+    x_best = points[i_best, 0] + share_best * (points[i_best + 1, 0] - points[i_best, 0])
+    y_best = points[i_best, 1] + share_best * (points[i_best + 1, 1] - points[i_best, 1])
+    s_best = arc[i_best] + share_best * (arc[i_best + 1] - arc[i_best])
+    best = math.hypot(x - x_best, y - y_best)
     ax = points[i_best + 1, 0] - points[i_best, 0]
     ay = points[i_best + 1, 1] - points[i_best, 1]
-    if s_best == arc[i_best + 1] and i_best < last:
+    if share_best == 1.0 and i_best < last:
         leg_in, leg_out = arc[i_best + 1] - arc[i_best], arc[i_best + 2] - arc[i_best + 1]
         bx = ax / leg_in + (points[i_best + 2, 0] - points[i_best + 1, 0]) / leg_out
         by = ay / leg_in + (points[i_best + 2, 1] - points[i_best + 1, 1]) / leg_out

@@ -1,0 +1,53 @@
+"""The verdict on one run: which requirements it meets, by how much, and what that makes of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from tracking.metric import Margin, Metric, Requirement
+
+TRACKWORTHY, NOT_TRACKWORTHY = "trackworthy", "not-trackworthy"
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Trackworthy if every margin is met; `margins` in the order of the requirements; `expect` is what was expected."""
+
+    margins: tuple[Margin, ...]
+    expect: str = TRACKWORTHY
+
+    @property
+    def trackworthy(self) -> bool:
+        """Whether every requirement is met."""
+        return all(margin.met for margin in self.margins)
+
+    @property
+    def passed(self) -> bool:
+        """Whether the outcome is the expected one."""
+        return self.trackworthy == (self.expect == TRACKWORTHY)
+
+    @property
+    def decisive(self) -> Margin:
+        """The margin that decides: the worst relative to its limit, a missed one before any met one."""
+        return min(self.margins, key=_relative)
+
+
+def _relative(margin: Margin) -> float:
+    if math.isnan(margin.value):
+        return -math.inf
+    scale = abs(margin.requirement.limit)
+    return margin.value / scale if scale > 0.0 else margin.value
+
+
+def judge(metrics: Mapping[str, Metric], requirements: Sequence[Requirement], expect: str) -> Verdict:
+    """Hold `metrics` against `requirements`."""
+    return Verdict(tuple(_margin(metrics, requirement) for requirement in requirements), expect)
+
+
+def _margin(metrics: Mapping[str, Metric], requirement: Requirement) -> Margin:
+    metric = metrics[requirement.metric]
+    sign = 1.0 if requirement.comparison == "<=" else -1.0
+    value = sign * (requirement.limit - metric.value) if metric.valid else math.nan
+    return Margin(requirement, metric, value)
