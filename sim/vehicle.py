@@ -103,12 +103,14 @@ class Limits:
 class Vehicle(Protocol):
     """A simulated plant that takes a `Command` every `period` [s] and returns the true `State`.
 
-    `channels` names the vehicle's own quantities, in SI units; `limits` what it can do.
+    Guidance renews the command every `guidance_period` [s], a multiple of `period`. `channels` names the vehicle's own
+    quantities, in SI units; `limits` what it can do.
     """
 
     name: str
     limits: Limits
     period: float
+    guidance_period: float
     channels: tuple[str, ...]
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:

@@ -1,0 +1,99 @@
+"""The closed loop: a vehicle on a path under a controller, until it is through or lost."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from planners.path import Path, Projection
+from sim.vehicle import Command, Conditions, Pose, State, Vehicle
+from sim.wind import ground_speed_on_course
+from tracking.controllers.controller import Controller
+from tracking.integral import Integral
+from tracking.track import GUIDANCE_COLUMNS, STATE_COLUMNS, Track
+
+COMPLETED, OUT_OF_TIME, LOST = "completed", "time budget spent", "corridor lost for good"
+
+
+def follow(
+    path: Path,
+    vehicle: Vehicle,
+    controller: Controller,
+    speed: float,
+    altitude: float,
+    corridor: float,
+    conditions: Conditions,
+    seed: int = 0,
+) -> Track:
+    """Put `vehicle` on the start of `path` and let `controller` follow it; returns the track.
+
+    `speed` [m/s] and `altitude` [m] are commanded throughout; the altitude is the path's own where it has heights.
+    `corridor` [m] is the half-width. The run ends when the path is completed, when the vehicle reports a fault, when the
+    time budget is spent (twice the path's time in this wind, and a minute), or when the corridor is lost for good: no
+    way gained along the path during two full circles of the vehicle.
+    """
+    path = path.with_tolerance(0.1 * corridor)
+    limits, period = vehicle.limits, vehicle.period
+    held_periods = round(vehicle.guidance_period / period)
+    height = path.height_at if path.z is not None else None
+    start = path.height_at(0.0) if height else altitude
+    state = vehicle.reset(Pose(*path.points[0, :2], start, path.headings[0]), speed, conditions, seed)
+    controller.reset(limits, vehicle.guidance_period)
+    integral = Integral(limits, corridor, vehicle.guidance_period)
+
+    window = max(2.0 * limits.turn_radius(speed + conditions.wind.speed), 4.0 * corridor)
+    budget = 2.0 * _time_needed(path, speed, conditions) + 60.0
+    circle = 4.0 * math.pi * limits.turn_radius(speed + conditions.wind.speed) / speed
+    at = path.project(state.x, state.y, s_to=window)
+    furthest, gained = at.s, 0.0
+    rows = []
+    curvature, ended, index = 0.0, "", 0
+    while True:
+        if index % held_periods == 0:
+            curvature = controller.curvature(state, path, at)
+            curvature += integral.curvature(at.cross_track, max(state.ground_speed, 1.0), state.saturated)
+        target = height(at.s) if height else altitude
+        rows.append(_row(state, at, curvature, speed, target))
+        if ended := _ended(state, at, path, budget, gained, circle):
+            break
+        gradient = _gradient(path, at.segment) if height else 0.0
+        state = vehicle.step(Command(curvature, speed, target, gradient))
+        index += 1
+        if not state.fault:
+            at = path.project(state.x, state.y, furthest, furthest + window)
+            if at.s > furthest:
+                furthest, gained = at.s, state.t
+    columns = (*STATE_COLUMNS, *vehicle.channels, *GUIDANCE_COLUMNS)
+    return Track(columns, np.array(rows), ended, path.frame)
+
+
+def _row(state: State, at: Projection, curvature: float, speed: float, altitude: float) -> tuple[float, ...]:
+    return (
+        state.t, state.x, state.y, state.z, state.heading, state.course, state.ground_speed, state.airspeed,
+        state.climb_rate, state.curvature, state.saturated, *state.channels,
+        at.s, at.cross_track, at.heading, curvature, speed, altitude,
+    )  # fmt: skip
+
+
+def _ended(state: State, at: Projection, path: Path, budget: float, gained: float, circle: float) -> str:
+    if state.fault:
+        return state.fault
+    if at.s >= path.length:
+        return COMPLETED
+    if state.t - gained > circle:
+        return LOST
+    return OUT_OF_TIME if state.t > budget else ""
+
+
+def _gradient(path: Path, segment: int) -> float:
+    leg = path.s[segment + 1] - path.s[segment]
+    return float((path.points[segment + 1, 2] - path.points[segment, 2]) / leg)
+
+
+def _time_needed(path: Path, speed: float, conditions: Conditions) -> float:
+    """Time [s] along the path at `speed` in the wind; where the wind is too strong, as if at a tenth of the speed."""
+    slowest = 0.1 * speed
+    legs = np.diff(path.s)
+    speeds = [ground_speed_on_course(speed, float(course), conditions.wind) for course in path.headings]
+    return float(np.sum(legs / np.fmax(np.array(speeds), slowest)))
