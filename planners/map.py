@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from planners.clearance import clearance
 from planners.errors import InputError
+from planners.footprint import Footprint
 from planners.frame import Frame
 from planners.kernel import Bools, Floats
 
@@ -26,7 +28,7 @@ class Circle:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Raster:
-    """Square cells of side `cell` [m], row 0 in the south; (`x`, `y`) [m] is the south-west corner of cell (0, 0).
+    """Square cells of side `cell` [m], row 0 in the south, the south-west corner of all at (`x`, `y`) [m].
 
     `blocked` (rows, cols) marks the cells that are obstacle.
     """
@@ -50,13 +52,15 @@ class Raster:
 class Map:
     """Where a vehicle may be, in a local frame [m].
 
-    It must stay out of every obstacle: `polygons`, each (N, 2), `circles` and the blocked cells of `raster`. It must
-    stay inside every one of `keep_in` and `keep_in_circles`, which is how MAVLink defines inclusion zones of one group
-    (MAV_CMD_NAV_FENCE_*_INCLUSION) and ArduPilot's default; PX4 is content with any one of them. `bounds` is x_min,
-    y_min, x_max, y_max; with a "closed" `edge` they bound the whole footprint, with an "open" one its reference point.
+    It must stay out of every obstacle: `polygons`, each (N, 2), `circles` and the blocked cells of `raster`.
+    It must stay inside every one of `keep_in` and `keep_in_circles`, which is how MAVLink defines the
+    inclusion zones of one group (MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, param 2) and what ArduPilot does
+    by default; PX4 is content with any one of them. `bounds` is x_min, y_min, x_max, y_max: with a "closed"
+    `edge` they bound the whole footprint, with an "open" one only its reference point. A map without any of
+    these forbids nothing.
 
-    Raises `InputError` for an area that is none: fewer than three vertices, edges that cross, a coordinate that is not
-    finite, a radius or bounds without extent.
+    Raises `InputError` for an area that is none: fewer than three vertices, edges that cross, a coordinate
+    that is not finite, a radius or bounds without extent.
     """
 
     polygons: tuple[Floats, ...] = ()
@@ -82,9 +86,25 @@ class Map:
         if self.bounds is not None:
             object.__setattr__(self, "bounds", checked_bounds(self.bounds, "bounds"))
 
+    def clearance(self, poses: Floats, footprint: Footprint) -> Floats:
+        """Signed distance (N,) [m] of the footprint at `poses` (N, 3) to all that is forbidden.
+
+        A pose is x, y [m] and heading [rad]. Positive: the distance to the nearest obstacle, keep-in border
+        or closed edge, which the footprint clears. Negative: how deep the deepest forbidden point lies inside
+        the footprint. That is at most its inradius (the radius, or half the smaller side), reached once the
+        forbidden area covers its centre; from there the centre's own depth in the forbidden area is added. So
+        for a disc it is the signed distance of the centre minus the radius. Each obstacle counts by itself,
+        the blocked cells of the raster together as one, and the worst decides. An open edge counts as the
+        signed distance of the reference point.
+
+        Exact for polygons, circles and cells, but for rounding. Inf where nothing is forbidden, NaN for a
+        pose that is not finite. Raises `InputError` for an array of another shape.
+        """
+        return clearance(self, poses, footprint)
+
 
 def checked_polygon(ring: Floats | Iterable[Iterable[float]], place: str) -> Floats:
-    """The polygon as a read-only array (N, 2) [m] that does not repeat its first vertex; `place` names it in errors."""
+    """The polygon as a read-only (N, 2) [m], its first vertex not repeated; `place` names it in errors."""
     points = np.array(ring, dtype=float, order="C")
     if points.ndim != 2 or points.shape[1] != 2:
         raise InputError(place, f"a polygon needs rows of x, y, not an array of shape {points.shape}")
