@@ -40,7 +40,7 @@ def merge(a: Map, b: Map) -> Map:
 
 
 def to_frame(area: Map, frame: Frame) -> Map:
-    """The same map in another frame: vertices and centres keep their place on the ellipsoid, radii their length.
+    """The same map in another frame: vertices and centres stay where they are on the ellipsoid.
 
     Sides stay straight; within 200 km of both origins the middle of a side of 10 km moves by less than 0.02
     m. Raises `InputError` for a map without a frame, or with a raster or bounds, whose sides follow the axes

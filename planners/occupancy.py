@@ -53,7 +53,7 @@ def occupancy(area: Map, cell: float, bounds: tuple[float, float, float, float] 
 
 
 def clearance_field(grid: Grid, beyond: bool = False) -> Floats:
-    """Distance (rows, cols) [m] from each cell's centre to that of the nearest blocked cell, 0 in blocked ones.
+    """Distance (rows, cols) [m] from each cell's centre to that of the nearest blocked cell.
 
     It differs from the exact distance of the centre to the obstacles by at most cell / sqrt(2): an obstacle
     lies somewhere in its blocked cell, half a diagonal at most from the centre. Less that bound, it is safe.

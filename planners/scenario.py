@@ -1,0 +1,117 @@
+"""Scenarios: a map with starts, goals, scale and limits, from a TOML file or built in."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path as FilePath
+
+import numpy as np
+
+from planners.errors import InputError
+from planners.footprint import Disc
+from planners.kernel import Floats
+from planners.map import Map
+from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
+from planners.typed_toml import read_toml, suggestion
+
+BUILT_IN_SCENARIOS = (
+    "mars-hazards-15",
+    "mars-hazards-25",
+    "nofly-1000x660",
+    "target-vehicle-640m",
+    "target-vehicle-71m",
+)
+
+_FOLDER = FilePath(__file__).parent / "scenarios"
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Scenario:
+    """A planning problem in metres: from `starts` (S, 2) to `goals` (G, 2) over `map`.
+
+    `size` is the width and height of the map [m], whose south-west corner is the origin, `unit` [m] how long
+    a map unit of the file is. `max_range` [m] limits the length of a path, `max_turn_angle` [rad] the turn at
+    its vertices; None where there is no limit. `picture` is the aerial image of a map whose truth is known,
+    for planners that find the obstacles in it; `files` all that was read, the scenario's own first.
+    """
+
+    name: str
+    map: Map
+    starts: Floats
+    goals: Floats
+    size: tuple[float, float]
+    unit: float = 1.0
+    max_range: float | None = None
+    max_turn_angle: float | None = None
+    picture: FilePath | None = None
+    files: tuple[FilePath, ...] = ()
+
+
+def load_scenario(name_or_file: str | FilePath) -> Scenario:
+    """The built-in scenario of that name, or the one in that TOML file.
+
+    Raises `InputError` naming file, key and remedy: a file or picture that is missing, a key that is unknown
+    or of the wrong kind, an area that is none, a start or goal in an obstacle or off the map.
+    """
+    file = _find(name_or_file)
+    keys = read_toml(file, ScenarioKeys)
+    area = map_from_keys(keys, file)
+    starts = _places(keys, file, area, "start", keys.start, "vehicles", keys.vehicles)
+    goals = _places(keys, file, area, "goal", keys.goal, "targets", keys.targets)
+    pictures = [file.parent / name for name in (keys.image, keys.truth) if name is not None]
+    picture = pictures[0] if len(pictures) == 2 else None
+    if picture is not None and not picture.is_file():
+        raise InputError(
+            f"{file}: image", f"there is no picture {picture}", "put it beside the scenario file"
+        )
+    return Scenario(
+        name=keys.name,
+        map=area,
+        starts=starts,
+        goals=goals,
+        size=(keys.size[0] * keys.unit, keys.size[1] * keys.unit),
+        unit=keys.unit,
+        max_range=None if keys.max_range is None else keys.max_range * keys.unit,
+        max_turn_angle=None if keys.max_turn_angle is None else math.radians(keys.max_turn_angle),
+        picture=picture,
+        files=(file, *pictures),
+    )
+
+
+def _find(name_or_file: str | FilePath) -> FilePath:
+    name = str(name_or_file)
+    if name in BUILT_IN_SCENARIOS:
+        return _FOLDER / f"{name}.toml"
+    file = FilePath(name)
+    if not file.suffix and not file.exists():
+        raise InputError(
+            name, "there is no such scenario", f"{suggestion(name, BUILT_IN_SCENARIOS)} A file ends in .toml"
+        )
+    return file
+
+
+def _places(
+    keys: ScenarioKeys, file: FilePath, area: Map,
+    one: str, single: Point | None, many: str, several: list[Point] | None,
+) -> Floats:  # fmt: skip
+    """The places (N, 2) [m] given by one of two keys, each on free ground."""
+    if single is not None and several is not None:
+        raise InputError(f"{file}: {one}", f"{many} is given too", f"leave {one} or {many} out")
+    if single is None and not several:
+        raise InputError(str(file), f"{one} is missing", f"add {one} = [x, y] or {many} = [[x, y], ...]")
+    given = [single] if single is not None else several or []
+    points = np.array(given, dtype=float) * keys.unit
+    clear = area.clearance(np.column_stack([points, np.zeros(len(points))]), Disc(0.0))
+    for i, (place, room) in enumerate(zip(given, clear, strict=True)):
+        key = one if single is not None else f"{many}[{i}]"
+        on_map = all(0.0 <= value <= side for value, side in zip(place, keys.size, strict=True))
+        if not on_map:
+            raise InputError(
+                f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(keys.size)}"
+            )
+        if room < 0.0:
+            what = f"{list(place)} is {-room / keys.unit:.3g} deep in an obstacle or a forbidden area"
+            raise InputError(f"{file}: {key}", what, "move it to free ground")
+    points.setflags(write=False)
+    return points
