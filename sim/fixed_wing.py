@@ -1,0 +1,119 @@
+"""A fixed wing in JSBSim's six degrees of freedom: curvature becomes bank, and the truth comes back."""
+
+from __future__ import annotations
+
+import math
+
+from planners.errors import InputError
+from planners.frame import point_transform
+from planners.units import METRES_PER_FOOT, wrap
+from sim.aircraft_file import Aircraft
+from sim.autopilot import Autopilot
+from sim.jsbsim_model import load_model, start_in_equilibrium
+from sim.vehicle import Command, Conditions, Pose, State
+
+STEP = 1.0 / 120.0  # [s] of the simulation and, in it, of the attitude loops
+STEPS = 6  # a control period: guidance at 20 Hz
+
+
+class FixedWing:
+    """An aircraft of an `Aircraft` file under its autopilot."""
+
+    period = guidance_period = STEPS * STEP
+    channels = ("bank", "pitch", "load_factor", "angle_of_attack", "stall_margin", "sideslip", "throttle")
+
+    def __init__(self, aircraft: Aircraft) -> None:
+        self.name = aircraft.name
+        self.limits = aircraft.limits()
+        self._aircraft = aircraft
+
+    def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
+        """Start in equilibrium in the wind, on the course of `pose`, at the true airspeed `speed` [m/s]."""
+        self._check(speed, pose)
+        frame = conditions.frame
+        transformer = point_transform(frame)
+        lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
+        fdm = load_model(self._aircraft.model, self._aircraft.root, STEP)
+        start_in_equilibrium(fdm, pose, lat, lon, speed, conditions.wind)
+        self._to_local = transformer.transform
+        self._autopilot = Autopilot(self._aircraft, fdm, self.period)
+        self._fdm, self._run, self._t = fdm, fdm.run, 0.0
+        node = fdm.get_property_manager().get_node
+        names = (
+            "position/long-gc-deg", "position/lat-geod-deg", "position/geod-alt-ft",
+            "velocities/v-east-fps", "velocities/v-north-fps", "velocities/h-dot-fps", "velocities/vt-fps",
+            "attitude/phi-rad", "attitude/theta-rad", "attitude/psi-rad",
+            "accelerations/Nz", "aero/alpha-rad", "aero/beta-rad", "accelerations/gravity-ft_sec2", "position/h-agl-ft",
+        )  # fmt: skip
+        self._nodes = [node(name).get_double_value for name in names]
+        self._course = pose.course
+        self._state = self._observe(False)
+        return self._state
+
+    def step(self, command: Command) -> State:
+        """Bank for the commanded curvature, hold airspeed and altitude, for one control period.
+
+        tan(bank) = Vg^2 k / (g cos(crab)), with the ground speed and the crab angle of the moment.
+        """
+        state = self._state
+        crab = state.heading - state.course
+        wanted = math.atan(state.ground_speed**2 * command.curvature / (self._gravity * math.cos(crab)))
+        most = self._aircraft.bank_limit
+        bank = max(-most, min(most, wanted))
+        self._autopilot.command(
+            -bank, state.channels[0], state.airspeed, command.speed - state.airspeed, state.climb_rate,
+            command.altitude - state.z, command.gradient * state.ground_speed,
+        )  # fmt: skip
+        run = self._run
+        for _ in range(STEPS):
+            run()
+        self._t += self.period
+        self._state = self._observe(bank != wanted)
+        return self._state
+
+    def _observe(self, saturated: bool) -> State:
+        (lon, lat, height, east, north, climb, airspeed, phi, theta, psi, nz, alpha, beta, gravity, above_ground) = (
+            [read() for read in self._nodes]
+        )
+        x, y = self._to_local(lon, lat)
+        ground_speed = math.hypot(east, north) * METRES_PER_FOOT
+        # Unwrapped, so that a turn over the period is a difference
+        course = self._course + wrap(math.atan2(north, east) - self._course)
+        turned = course - self._course
+        curvature = turned / (ground_speed * self.period) if self._t and ground_speed else 0.0
+        self._course = course
+        heading = course + wrap(math.pi / 2 - psi - course)
+        self._gravity = gravity * METRES_PER_FOOT
+        stall_margin = math.radians(self._aircraft.envelope.alpha_stall) - alpha
+        return State(
+            self._t, x, y, height * METRES_PER_FOOT, heading, course, ground_speed, airspeed * METRES_PER_FOOT,
+            climb * METRES_PER_FOOT, curvature, saturated,
+            (-phi, theta, nz, alpha, stall_margin, beta, self._autopilot.throttle),
+            _fault(x + y + height + heading, above_ground, stall_margin),
+        )  # fmt: skip
+
+    def _check(self, speed: float, pose: Pose) -> None:
+        envelope = self._aircraft.envelope
+        if speed < envelope.speed_min:
+            stall = "below its stall speed" if speed < envelope.stall_speed else "too close to its stall speed"
+            raise InputError(
+                "speed",
+                f"{speed:.4g} m/s is {stall} of {envelope.stall_speed:g} m/s for the {self.name}",
+                f"choose {envelope.speed_min:g} to {envelope.speed_max:g} m/s",
+            )
+        if speed > envelope.speed_max:
+            raise InputError(
+                "speed",
+                f"the {self.name} cannot hold {speed:.4g} m/s",
+                f"choose {envelope.speed_min:g} to {envelope.speed_max:g} m/s",
+            )
+        if pose.z <= 0.0:
+            raise InputError("altitude", f"{pose.z:.4g} m is not above the ground", "choose an altitude above 0 m")
+
+
+def _fault(finite: float, above_ground: float, stall_margin: float) -> str:
+    if not math.isfinite(finite):
+        return "not a number"
+    if above_ground <= 0.0:
+        return "ground"
+    return "stall" if stall_margin <= 0.0 else ""

@@ -1,0 +1,108 @@
+"""JSBSim as a quiet library: a loaded model in equilibrium, and errors as exceptions."""
+
+from __future__ import annotations
+
+import atexit
+import math
+import os
+import shutil
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+from planners.errors import InputError, TrackworthyError
+from planners.units import METRES_PER_FOOT
+from sim.vehicle import Pose
+from sim.wind import Wind, heading_for_course
+
+os.environ.setdefault("JSBSIM_DEBUG", "0")  # JSBSim prints its banner on standard output otherwise
+
+import jsbsim
+
+ATTITUDE_HOLD = Path(__file__).parent / "attitude_hold.xml"
+FULL_TRIM = 1  # JSBSim's TrimMode.FULL: forces and moments about all axes
+
+
+def load_model(model: str, root: str, dt: float) -> jsbsim.FGFDMExec:
+    """Load aircraft `model` below `root` (JSBSim's own data if empty), stepping by `dt` [s]."""
+    folder = Path(root or jsbsim.get_default_root_dir())
+    file = folder / "aircraft" / model / f"{model}.xml"
+    if not model or not file.is_file():
+        known = sorted(path.parent.name for path in folder.glob("aircraft/*/*.xml") if path.stem == path.parent.name)
+        raise InputError(
+            "aircraft",
+            f"JSBSim has no model {model!r} in {folder / 'aircraft'}",
+            f"it has {', '.join(known) or 'none at all'}",
+        )
+    fdm = jsbsim.FGFDMExec(str(folder))
+    fdm.set_debug_level(0)
+    fdm.set_aircraft_path(str(_with_attitude_hold(file)))
+    try:
+        loaded = fdm.load_model(model)
+    except jsbsim.BaseError as error:
+        raise InputError(str(file), f"JSBSim cannot load it: {_one_line(error)}") from error
+    if not loaded:
+        raise InputError(str(file), "JSBSim cannot load it", "its own message stands above")
+    fdm.set_dt(dt)
+    fdm.disable_output()
+    return fdm
+
+
+@lru_cache
+def _with_attitude_hold(file: Path) -> Path:
+    """An aircraft folder, for this process, in which the aircraft of `file` has our attitude loops as one more system."""
+    folder = Path(tempfile.mkdtemp(prefix="trackworthy-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    aircraft = folder / file.stem
+    shutil.copytree(file.parent, aircraft)
+    (aircraft / "Systems").mkdir(exist_ok=True)
+    shutil.copy(ATTITUDE_HOLD, aircraft / "Systems")
+    head, end, tail = file.read_text().rpartition("</fdm_config>")
+    (aircraft / file.name).write_text(f'{head}<system file="{ATTITUDE_HOLD.stem}"/>{end}{tail}')
+    return folder
+
+
+def start_in_equilibrium(
+    fdm: jsbsim.FGFDMExec, pose: Pose, lat: float, lon: float, airspeed: float, wind: Wind
+) -> None:
+    """Trim wings level on the course of `pose` at `airspeed` [m/s] in `wind`, at `lat`, `lon` [deg], engines running.
+
+    Order matters to JSBSim: attitude and airspeed, then the wind, then the inertial velocity, which is the air velocity
+    plus the wind. Raises `InputError` if the wind is too strong or the aircraft cannot hold that speed.
+    """
+    heading = heading_for_course(airspeed, pose.course, wind)
+    if math.isnan(heading):
+        raise InputError("wind", f"{wind.speed:.4g} m/s of wind cannot be held at an airspeed of {airspeed:.4g} m/s")
+    vt = airspeed / METRES_PER_FOOT
+    north, east = vt * math.sin(heading), vt * math.cos(heading)
+    settings = {
+        "ic/lat-geod-deg": lat,
+        "ic/long-gc-deg": lon,
+        "ic/h-sl-ft": pose.z / METRES_PER_FOOT,
+        "ic/psi-true-deg": 90.0 - math.degrees(heading),
+        "ic/vt-fps": vt,
+        "ic/alpha-deg": 0.0,
+        "ic/vw-mag-fps": wind.speed / METRES_PER_FOOT,
+        "ic/vw-dir-deg": (wind.from_deg + 180.0) % 360.0,  # JSBSim wants where it blows to
+        "ic/vn-fps": north + wind.north / METRES_PER_FOOT,
+        "ic/ve-fps": east + wind.east / METRES_PER_FOOT,
+        "ic/vd-fps": 0.0,
+    }
+    for name, value in settings.items():
+        fdm[name] = value
+    fdm.run_ic()
+    fdm["propulsion/set-running"] = -1
+    try:
+        fdm["simulation/do_simple_trim"] = FULL_TRIM
+    except jsbsim.TrimFailureError as error:
+        raise InputError(
+            "speed",
+            f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m",
+            "choose another speed or altitude",
+        ) from error
+    except jsbsim.BaseError as error:
+        raise TrackworthyError(f"JSBSim failed to trim: {_one_line(error)}") from error
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split()) or type(error).__name__
