@@ -42,7 +42,7 @@ def merge(a: Map, b: Map) -> Map:
 def to_frame(area: Map, frame: Frame) -> Map:
     """The same map in another frame: vertices and centres stay where they are on the ellipsoid.
 
-    Sides stay straight; within 200 km of both origins the middle of a side of 10 km moves by less than 0.02
+    Sides stay straight; within 200 km of both origins the middle of a side of 10 km moves by less than 0.05
     m. Raises `InputError` for a map without a frame, or with a raster or bounds, whose sides follow the axes
     of their own frame.
     """

@@ -85,9 +85,7 @@ def _find(name_or_file: str | FilePath) -> FilePath:
         return _FOLDER / f"{name}.toml"
     file = FilePath(name)
     if not file.suffix and not file.exists():
-        raise InputError(
-            name, "there is no such scenario", f"{suggestion(name, BUILT_IN_SCENARIOS)} A file ends in .toml"
-        )
+        raise InputError(name, "there is no such scenario", suggestion(name, BUILT_IN_SCENARIOS))
     return file
 
 
