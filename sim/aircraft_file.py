@@ -73,6 +73,13 @@ class Throttle(_Table):
     climb_power: float
 
 
+class OwnAutopilot(_Table):
+    """The model's own autopilot, which ours replaces: its JSBSim `systems`, and the `outputs` its flight controls read."""
+
+    systems: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+
+
 class Aircraft(_Table):
     """One aircraft file. `root` is a JSBSim root folder beside the file; left out, JSBSim's own."""
 
@@ -84,6 +91,7 @@ class Aircraft(_Table):
     yaw: Yaw
     pitch: Pitch
     throttle: Throttle
+    own_autopilot: OwnAutopilot = OwnAutopilot()
     root: str = ""
 
     @property

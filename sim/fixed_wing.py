@@ -33,7 +33,7 @@ class FixedWing:
         frame = conditions.frame
         transformer = point_transform(frame)
         lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
-        fdm = load_model(self._aircraft.model, self._aircraft.root, STEP)
+        fdm = load_model(self._aircraft, STEP)
         start_in_equilibrium(fdm, pose, lat, lon, speed, conditions.wind)
         self._to_local = transformer.transform
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)

@@ -7,11 +7,13 @@ import math
 import os
 import shutil
 import tempfile
+import xml.etree.ElementTree as ET
 from functools import lru_cache
 from pathlib import Path
 
 from planners.errors import InputError, TrackworthyError
 from planners.units import METRES_PER_FOOT
+from sim.aircraft_file import Aircraft
 from sim.vehicle import Pose
 from sim.wind import Wind, heading_for_course
 
@@ -23,9 +25,10 @@ ATTITUDE_HOLD = Path(__file__).parent / "attitude_hold.xml"
 FULL_TRIM = 1  # JSBSim's TrimMode.FULL: forces and moments about all axes
 
 
-def load_model(model: str, root: str, dt: float) -> jsbsim.FGFDMExec:
-    """Load aircraft `model` below `root` (JSBSim's own data if empty), stepping by `dt` [s]."""
-    folder = Path(root or jsbsim.get_default_root_dir())
+def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
+    """Load the JSBSim model of `aircraft`, with our attitude loops in it, stepping by `dt` [s]."""
+    model = aircraft.model
+    folder = Path(aircraft.root or jsbsim.get_default_root_dir())
     file = folder / "aircraft" / model / f"{model}.xml"
     if not model or not file.is_file():
         known = sorted(path.parent.name for path in folder.glob("aircraft/*/*.xml") if path.stem == path.parent.name)
@@ -36,7 +39,7 @@ def load_model(model: str, root: str, dt: float) -> jsbsim.FGFDMExec:
         )
     fdm = jsbsim.FGFDMExec(str(folder))
     fdm.set_debug_level(0)
-    fdm.set_aircraft_path(str(_with_attitude_hold(file)))
+    fdm.set_aircraft_path(str(_with_attitude_hold(file, aircraft.own_autopilot.systems, aircraft.own_autopilot.outputs)))
     try:
         loaded = fdm.load_model(model)
     except jsbsim.BaseError as error:
@@ -49,16 +52,32 @@ def load_model(model: str, root: str, dt: float) -> jsbsim.FGFDMExec:
 
 
 @lru_cache
-def _with_attitude_hold(file: Path) -> Path:
-    """An aircraft folder, for this process, in which the aircraft of `file` has our attitude loops as one more system."""
+def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...]) -> Path:
+    """An aircraft folder, for this process, in which the aircraft of `file` has our attitude loops as its autopilot.
+
+    The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight controls
+    read from them, which stay 0 as they are when it is switched off.
+    """
+    try:
+        model = ET.parse(file)
+    except ET.ParseError as error:
+        raise InputError(str(file), f"is not XML ({error})") from error
+    root = model.getroot()
+    for element in [*root.findall("system"), *root.findall("autopilot")]:
+        if element.get("file") in replaced:
+            root.remove(element)
+    off = ET.SubElement(root, "system", name="own autopilot, off")
+    for name in outputs:
+        ET.SubElement(off, "property", value="0").text = name
+    ET.SubElement(root, "system", file=ATTITUDE_HOLD.stem)
+
     folder = Path(tempfile.mkdtemp(prefix="trackworthy-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     aircraft = folder / file.stem
     shutil.copytree(file.parent, aircraft)
     (aircraft / "Systems").mkdir(exist_ok=True)
     shutil.copy(ATTITUDE_HOLD, aircraft / "Systems")
-    head, end, tail = file.read_text().rpartition("</fdm_config>")
-    (aircraft / file.name).write_text(f'{head}<system file="{ATTITUDE_HOLD.stem}"/>{end}{tail}')
+    model.write(aircraft / file.name)
     return folder
 
 
