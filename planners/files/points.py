@@ -15,6 +15,7 @@ from planners.path import Path
 
 DEGREE_DIGITS = 10  # decimals of a degree written: 0.01 mm on the ground
 HEIGHT_DIGITS = 6  # decimals of a metre written
+FARTHEST = 1e9  # [m] no local frame is wider; beyond about 1e150 m, distances overflow
 
 Column = Sequence[float] | Floats
 Label = Callable[[int], str]
@@ -76,10 +77,9 @@ def _path(source: Source, label: Label, xy: Floats, z: Column | None, frame: Fra
     place = source.place
     check_count(len(xy), place)
     points = xy if z is None else np.column_stack([xy, np.asarray(z, dtype=float)])
-    for i in np.flatnonzero(~np.isfinite(points).all(axis=1))[:1]:
-        raise InputError(
-            f"{place}: {label(int(i))}", "a coordinate is not finite", "every one must be a number"
-        )
+    for i in np.flatnonzero(~(np.abs(points) <= FARTHEST).all(axis=1))[:1]:
+        what = f"{points[i].tolist()} is beyond {FARTHEST:g} m"
+        raise InputError(f"{place}: {label(int(i))}", what, "give coordinates in a local frame")
     for i in np.flatnonzero((np.diff(xy, axis=0) == 0.0).all(axis=1))[:1]:
         what = f"the point is in the same place as {label(int(i))}"
         raise InputError(f"{place}: {label(int(i) + 1)}", what, "leave one of them out")

@@ -67,6 +67,8 @@ def test_header_in_a_comment(read):
         ("x,y,z\n0,0,0\n0,0,9\n", "line 3: the point is in the same place as line 2"),
         ("lat,lon\n47,180\n47,-180\n", "line 3: the point is in the same place as line 2"),
         ("x,y\n0,0\n" + "9" * 200_000 + ",0\n", "line 3: broken CSV: field larger than field limit"),
+        ("x,y\n0,0\n1e308,0\n", "line 3: [1e+308, 0.0] is beyond 1e+09 m; give coordinates in a local"),
+        ("lat,lon,alt\n0,0,0\n0,0.1,1e300\n", "line 3: [11131.9"),
         ("x,y\n0,0\n1e999,0\n", "line 3: '1e999' is not a finite number"),
     ],
 )
