@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+import msgspec
 import numpy as np
 import shapely
 
 from planners.errors import InputError
 from planners.frame import Frame
 from planners.kernel import Floats, Ints
-from planners.polyline import headings_and_bends, interpolate, nearest_on_polyline, point_on_polyline
+from planners.polyline import headings_and_bends, interpolate, point_on_polyline, project_on_polyline
 
 
-@dataclass(frozen=True, slots=True)
-class Projection:
+class Projection(msgspec.Struct, frozen=True):
     """The point p* of a path nearest to a position, and the signed distance to it.
 
     `s` [m] is the arc length at p* (negative before the start, beyond the length past the end), `segment` its index,
@@ -110,10 +110,12 @@ class Path:
         The nearest point wins, the earlier one of two equally near. Where the first or the last segment lies in the
         window's open end, it goes on beyond the path.
         """
-        s, segment, px, py, e = nearest_on_polyline(
-            float(x), float(y), float(s_from), float(s_to), self.points, self.s
-        )
-        return Projection(s, segment, px, py, self.heading_at(s), e)
+        return Projection(
+            *project_on_polyline(
+                float(x), float(y), float(s_from), float(s_to),
+                self.points, self.s, self.bend_s, self.bend_heading,
+            )
+        )  # fmt: skip
 
     def resample(self, spacing: float) -> Path:
         """The same line with points every `spacing` [m] or a little less; corners between them are cut."""

@@ -42,6 +42,16 @@ def interpolate(x: float, knots: Floats, values: Floats) -> float:
 
 
 @kernel
+def project_on_polyline(
+    x: float, y: float, s_from: float, s_to: float,
+    points: Floats, arc: Floats, bend_s: Floats, bend_heading: Floats,
+) -> tuple[float, int, float, float, float, float]:  # fmt: skip
+    """The nearest point as `nearest_on_polyline` finds it: s, segment, x, y, heading there, signed distance."""
+    s, segment, px, py, e = nearest_on_polyline(x, y, s_from, s_to, points, arc)
+    return s, segment, px, py, interpolate(s, bend_s, bend_heading), e
+
+
+@kernel
 def point_on_polyline(s: float, points: Floats, arc: Floats) -> tuple[float, float]:
     """The point at arc length `s` of `points` (N, 2+); the outer segments go on beyond the ends."""
     n = len(arc)

@@ -109,7 +109,7 @@ class Aircraft(_Table):
             speed_max=envelope.speed_max,
             lateral_acceleration=STANDARD_GRAVITY * math.tan(self.bank_limit),
             response_time=self.roll.response_time,
-            equivalent_length=envelope.speed * self.roll.response_time,
+            equivalent_length=2.0 * envelope.speed * self.roll.response_time,
             corridor=envelope.corridor,
             footprint=Disc(self.span / 2),
             climb_gradient=envelope.climb_gradient,

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+
+import numpy as np
+
+from planners.path import Path
+from planners.turns import available_radii
+from sim.vehicle import Limits
+from sim.wind import Wind, ground_speed_on_course, heading_for_course
+
+COURSES = 9  # headings at which a turn is looked at, its ends included
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +38,7 @@ class Turn:
 
 @dataclass(frozen=True, slots=True)
 class Slope:
-    """A leg from `s` to `s_end` [m] that climbs (or descends, negative) by `gradient`; the vehicle's `limit` is signed."""
+    """A stretch from `s` to `s_end` [m] with mean `gradient` beyond the vehicle's `limit`; descents are negative."""
 
     s: float
     s_end: float
@@ -38,7 +48,7 @@ class Slope:
 
 @dataclass(frozen=True, slots=True)
 class Feasibility:
-    """Every turn of the simplified path, and the ones and the legs that the vehicle cannot follow."""
+    """Every turn of the simplified path, and the ones and the stretches that the vehicle cannot follow."""
 
     turns: tuple[Turn, ...]
     tight: tuple[Turn, ...]
@@ -48,3 +58,54 @@ class Feasibility:
     def tightest(self) -> Turn | None:
         """The turn with the smallest margin, or None for a straight path."""
         return min(self.turns, key=lambda turn: turn.margin, default=None)
+
+
+def assess(path: Path, limits: Limits, speed: float, wind: Wind, corridor: float) -> Feasibility:
+    """What `path` asks of a vehicle with `limits` at `speed` [m/s] in `wind` within `corridor` [m]."""
+    vertices, angles, radii = available_radii(path, corridor)
+    turns = tuple(
+        Turn(
+            float(path.s[vertex]), *map(float, path.xy[vertex]), float(angle), float(radius),
+            required_radius(limits, speed, wind, float(path.headings[vertex - 1]), float(angle)),
+        )
+        for vertex, angle, radius in zip(vertices, angles, radii, strict=True)
+    )  # fmt: skip
+    return Feasibility(turns, tuple(turn for turn in turns if turn.margin < 0.0), _steep(path, limits))
+
+
+def required_radius(limits: Limits, speed: float, wind: Wind, course: float, angle: float) -> float:
+    """Smallest radius [m] that holds throughout a turn by `angle` from `course` [rad], worst case over it.
+
+    In wind the ground speed changes through the turn, and with it Vg^2 / (g tan(bank) cos(crab)). Infinite where the
+    wind is too strong for the course.
+    """
+    if limits.kind == "ground":
+        return limits.turn_radius(speed)
+    worst = 0.0
+    for bearing in np.linspace(course, course + angle, COURSES).tolist():
+        ground_speed = ground_speed_on_course(speed, bearing, wind)
+        if math.isnan(ground_speed) or ground_speed <= 0.0:
+            return math.inf
+        crab = heading_for_course(speed, bearing, wind) - bearing
+        worst = max(worst, limits.turn_radius(ground_speed, crab))
+    return worst
+
+
+def _steep(path: Path, limits: Limits) -> tuple[Slope, ...]:
+    """Stretches between the vertices of the height profile that climb or descend beyond the limits."""
+    if path.z is None or limits.kind == "ground":
+        return ()
+    gradients = np.diff(path.z) / np.diff(path.s)
+    found: list[Slope] = []
+    for i, gradient in enumerate(gradients.tolist()):
+        limit = limits.climb_gradient if gradient > 0.0 else -limits.descent_gradient
+        if abs(gradient) <= abs(limit):
+            continue
+        s, s_end = float(path.s[i]), float(path.s[i + 1])
+        last = found[-1] if found else None
+        if last and last.s_end == s and last.limit == limit:
+            rise = last.gradient * (s - last.s) + gradient * (s_end - s)
+            found[-1] = Slope(last.s, s_end, rise / (s_end - last.s), limit)
+        else:
+            found.append(Slope(s, s_end, gradient, limit))
+    return tuple(found)

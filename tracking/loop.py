@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from array import array
 
 import numpy as np
 
@@ -47,14 +48,14 @@ def follow(
     circle = 4.0 * math.pi * limits.turn_radius(speed + conditions.wind.speed) / speed
     at = path.project(state.x, state.y, s_to=window)
     furthest, gained = at.s, 0.0
-    rows = []
+    rows = array("d")
     curvature, ended, index = 0.0, "", 0
     while True:
         if index % held_periods == 0:
             curvature = controller.curvature(state, path, at)
             curvature += integral.curvature(at.cross_track, max(state.ground_speed, 1.0), state.saturated)
         target = height(at.s) if height else altitude
-        rows.append(_row(state, at, curvature, speed, target))
+        rows.extend(_row(state, at, curvature, speed, target))
         if ended := _ended(state, at, path, budget, gained, circle):
             break
         gradient = _gradient(path, at.segment) if height else 0.0
@@ -65,7 +66,7 @@ def follow(
             if at.s > furthest:
                 furthest, gained = at.s, state.t
     columns = (*STATE_COLUMNS, *vehicle.channels, *GUIDANCE_COLUMNS)
-    return Track(columns, np.array(rows), ended, path.frame)
+    return Track(columns, np.array(rows).reshape(-1, len(columns)), ended, path.frame)
 
 
 def _row(state: State, at: Projection, curvature: float, speed: float, altitude: float) -> tuple[float, ...]:

@@ -43,8 +43,9 @@ class Lqr:
         """Curvature [1/m]."""
         v = state.ground_speed
         reach = self._preview * v
-        here = path.mean_curvature(at.s - 0.5 * reach, at.s + 0.5 * reach)
-        ahead = path.mean_curvature(at.s + 0.5 * reach, at.s + 1.5 * reach)
+        near = path.heading_at(at.s + 0.5 * reach)
+        here = (near - path.heading_at(at.s - 0.5 * reach)) / reach
+        ahead = (path.heading_at(at.s + 1.5 * reach) - near) / reach
         offset = max(-self._e_most, min(self._e_most, at.cross_track / v))
         course = wrap(state.course - at.heading)
         rate = v * (state.curvature - here)

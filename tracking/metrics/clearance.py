@@ -1,0 +1,36 @@
+"""Clearance of the vehicle's body to obstacles and map edge, over the whole track."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tracking.metric import Metric
+from tracking.metrics.corridor import excursions
+from tracking.metrics.errors import centred_weights
+from tracking.run import Run
+
+NAMES = {"clearance_min": "m", "incursion_count": "1", "incursion_time": "s", "incursion_depth": "m"}
+
+
+def clearance(run: Run) -> list[Metric]:
+    """Smallest signed distance of the footprint [m], and the incursions where it is negative."""
+    if run.obstacles is None:
+        note = "no map was given"
+        return [
+            Metric(name, math.nan, unit, "higher" if name == "clearance_min" else "lower", valid=False, note=note)
+            for name, unit in NAMES.items()
+        ]
+    track = run.track
+    poses = np.column_stack([track["x"], track["y"], track["heading"]])
+    distance = run.obstacles.clearance(poses, run.limits.footprint)
+    worst = int(np.nanargmin(distance))
+    where = {"s": float(track["s"][worst]), "t": float(track["t"][worst])}
+    inside = distance < 0.0
+    return [
+        Metric("clearance_min", float(distance[worst]), "m", "higher", **where),
+        Metric("incursion_count", excursions(inside), "1", **where),
+        Metric("incursion_time", float(centred_weights(track["t"])[inside].sum()), "s", **where),
+        Metric("incursion_depth", max(-float(distance[worst]), 0.0), "m", **where),
+    ]
