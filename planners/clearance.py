@@ -16,9 +16,7 @@ from planners.outline import Border, Outline, outline
 if TYPE_CHECKING:
     from planners.map import Map, Raster
 
-CHUNK = (
-    1024  # poses at once: a rectangle among small cells meets hundreds of edges, and each pair takes memory
-)
+CHUNK = 1024  # poses at once: a rectangle among small cells meets hundreds of edges, and each pair takes memory
 
 
 def clearance(area: Map, poses: Floats, footprint: Footprint) -> Floats:
@@ -82,9 +80,7 @@ def _depth_of_points(area: Map, lines: Outline, points: Floats) -> Floats:
     depth = np.full(len(points), -1.0)
     at = shapely.points(points)
     point, polygon = lines.obstacles.query(at, predicate="within")
-    np.maximum.at(
-        depth, point, shapely.distance(at[point], shapely.boundary(lines.obstacles.geometries[polygon]))
-    )
+    np.maximum.at(depth, point, shapely.distance(at[point], shapely.boundary(lines.obstacles.geometries[polygon])))
     for polygon in lines.keep_in:
         out = np.flatnonzero(~shapely.intersects_xy(polygon, points))
         np.maximum.at(depth, out, shapely.distance(at[out], polygon))

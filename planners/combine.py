@@ -20,9 +20,7 @@ def merge(a: Map, b: Map) -> Map:
     become a keep-in area. Raises `InputError` for two frames, two rasters, or bounds with nothing in common.
     """
     if a.frame != b.frame:
-        raise InputError(
-            "map", "two maps in different frames cannot apply at once", "re-express one with to_frame"
-        )
+        raise InputError("map", "two maps in different frames cannot apply at once", "re-express one with to_frame")
     if a.raster is not None and b.raster is not None:
         raise InputError("map", "two rasters cannot be put together", "leave one of the maps out")
     if a.bounds is not None and b.bounds is not None and a.edge != b.edge:
@@ -49,13 +47,9 @@ def to_frame(area: Map, frame: Frame) -> Map:
     if area.frame == frame:
         return area
     if area.frame is None:
-        raise InputError(
-            "map", "it has no origin, so it cannot be placed on the ellipsoid", "give it an origin"
-        )
+        raise InputError("map", "it has no origin, so it cannot be placed on the ellipsoid", "give it an origin")
     if area.raster is not None or area.bounds is not None:
-        raise InputError(
-            "map", "a raster or bounds cannot be turned into another frame", "re-express the other map"
-        )
+        raise InputError("map", "a raster or bounds cannot be turned into another frame", "re-express the other map")
 
     old = area.frame
 

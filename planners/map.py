@@ -77,9 +77,7 @@ class Map:
             rings = [checked_polygon(ring, f"{what} {i}") for i, ring in enumerate(getattr(self, name), 1)]
             object.__setattr__(self, name, tuple(rings))
         for name, what in (("circles", "circle"), ("keep_in_circles", "keep-in circle")):
-            circles = [
-                checked_circle(circle, f"{what} {i}") for i, circle in enumerate(getattr(self, name), 1)
-            ]
+            circles = [checked_circle(circle, f"{what} {i}") for i, circle in enumerate(getattr(self, name), 1)]
             object.__setattr__(self, name, tuple(circles))
         if self.edge not in EDGES:
             raise InputError("edge", f"{self.edge!r} is not known", f"use {' or '.join(EDGES)}")
@@ -110,9 +108,7 @@ def checked_polygon(ring: Floats | Iterable[Iterable[float]], place: str) -> Flo
         raise InputError(place, f"a polygon needs rows of x, y, not an array of shape {points.shape}")
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
-        raise InputError(
-            place, f"vertex {bad[0] + 1} is {points[bad[0]].tolist()}", "every coordinate must be finite"
-        )
+        raise InputError(place, f"vertex {bad[0] + 1} is {points[bad[0]].tolist()}", "every coordinate must be finite")
     if len(points) > 1 and (points[0] == points[-1]).all():
         points = points[:-1].copy()
     if len(points) < 3:
@@ -120,9 +116,7 @@ def checked_polygon(ring: Floats | Iterable[Iterable[float]], place: str) -> Flo
     polygon = shapely.Polygon(points)
     if not polygon.is_valid or polygon.area == 0.0:
         reason = shapely.is_valid_reason(polygon).replace("[", " at (").replace("]", ")")
-        raise InputError(
-            place, f"its edges cross or touch: {reason}", "give the vertices in order around the area"
-        )
+        raise InputError(place, f"its edges cross or touch: {reason}", "give the vertices in order around the area")
     points.setflags(write=False)
     return points
 
@@ -136,9 +130,7 @@ def checked_circle(circle: Circle, place: str) -> Circle:
     return circle
 
 
-def checked_bounds(
-    bounds: tuple[float, float, float, float], place: str
-) -> tuple[float, float, float, float]:
+def checked_bounds(bounds: tuple[float, float, float, float], place: str) -> tuple[float, float, float, float]:
     """The bounds themselves, if they enclose an area; `place` names them in errors."""
     x_min, y_min, x_max, y_max = bounds
     if not (np.isfinite(bounds).all() and x_min < x_max and y_min < y_max):

@@ -130,9 +130,7 @@ def _crossed(ring: Floats, rows: int, columns: int) -> Bools:
     return hit
 
 
-def _cell_distances(
-    circle: Circle, origin: Floats, cell: float, rows: int, columns: int
-) -> tuple[Floats, Floats]:
+def _cell_distances(circle: Circle, origin: Floats, cell: float, rows: int, columns: int) -> tuple[Floats, Floats]:
     """Distances (rows, cols) of the circle's centre from each cell's nearest and farthest point, in cells."""
     x, y = (np.array([circle.x, circle.y]) - origin) / cell
     dx, dy = np.abs(np.arange(columns) + 0.5 - x), np.abs(np.arange(rows) + 0.5 - y)[:, None]
@@ -150,9 +148,6 @@ def _resampled(raster: Raster, origin: Floats, cell: float, rows: int, columns: 
         spans.append([edge.clip(0, raster.blocked.shape[axis]).astype(int) for edge in (first, past)])
     (left, right), (south, north) = spans
     inside = (
-        sums[np.ix_(north, right)]
-        - sums[np.ix_(south, right)]
-        - sums[np.ix_(north, left)]
-        + sums[np.ix_(south, left)]
+        sums[np.ix_(north, right)] - sums[np.ix_(south, right)] - sums[np.ix_(north, left)] + sums[np.ix_(south, left)]
     )
     return np.asarray(inside > 0)

@@ -129,7 +129,9 @@ class Path:
 
         Douglas and Peucker 1973, by GEOS.
         """
-        kept = shapely.get_coordinates(shapely.simplify(shapely.LineString(self.xy), tolerance, preserve_topology=False))
+        kept = shapely.get_coordinates(
+            shapely.simplify(shapely.LineString(self.xy), tolerance, preserve_topology=False)
+        )
         indices, at = [0], 0
         for x, y in kept[1:-1]:
             at += 1
@@ -149,6 +151,4 @@ def _check(points: Floats, name: str) -> None:
         raise InputError(name, f"point {bad[0] + 1} is {points[bad[0]].tolist()}", "every coordinate must be finite")
     same = np.flatnonzero((np.diff(points[:, :2], axis=0) == 0.0).all(axis=1))
     if len(same):
-        raise InputError(
-            name, f"points {same[0] + 1} and {same[0] + 2} are in the same place", "leave one of them out"
-        )
+        raise InputError(name, f"points {same[0] + 1} and {same[0] + 2} are in the same place", "leave one of them out")

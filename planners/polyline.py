@@ -36,7 +36,7 @@ def interpolate(x: float, knots: Floats, values: Floats) -> float:
         return float(values[0])
     if x >= knots[n - 1]:
         return float(values[n - 1])
-    i = np.searchsorted(knots, x, side="right") - 1
+    i = int(np.searchsorted(knots, x, side="right")) - 1
     share = (x - knots[i]) / (knots[i + 1] - knots[i])
     return float(values[i] + share * (values[i + 1] - values[i]))
 
@@ -55,7 +55,7 @@ def project_on_polyline(
 def point_on_polyline(s: float, points: Floats, arc: Floats) -> tuple[float, float]:
     """The point at arc length `s` of `points` (N, 2+); the outer segments go on beyond the ends."""
     n = len(arc)
-    i = min(max(np.searchsorted(arc, s, side="right") - 1, 0), n - 2)
+    i = min(max(int(np.searchsorted(arc, s, side="right")) - 1, 0), n - 2)
     share = (s - arc[i]) / (arc[i + 1] - arc[i])
     x = points[i, 0] + share * (points[i + 1, 0] - points[i, 0])
     y = points[i, 1] + share * (points[i + 1, 1] - points[i, 1])
@@ -72,7 +72,7 @@ def nearest_on_polyline(
     end of the line goes on beyond it where the window does.
     """
     last = len(arc) - 2
-    first = min(max(np.searchsorted(arc, s_from, side="right") - 1, 0), last)
+    first = min(max(int(np.searchsorted(arc, s_from, side="right")) - 1, 0), last)
     best = math.inf
     i_best, share_best = first, 0.0
     for i in range(first, last + 1):

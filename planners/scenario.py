@@ -62,9 +62,7 @@ def load_scenario(name_or_file: str | FilePath) -> Scenario:
     pictures = [file.parent / name for name in (keys.image, keys.truth) if name is not None]
     picture = pictures[0] if len(pictures) == 2 else None
     if picture is not None and not picture.is_file():
-        raise InputError(
-            f"{file}: image", f"there is no picture {picture}", "put it beside the scenario file"
-        )
+        raise InputError(f"{file}: image", f"there is no picture {picture}", "put it beside the scenario file")
     return Scenario(
         name=keys.name,
         map=area,
@@ -105,9 +103,7 @@ def _places(
         key = one if single is not None else f"{many}[{i}]"
         on_map = all(0.0 <= value <= side for value, side in zip(place, keys.size, strict=True))
         if not on_map:
-            raise InputError(
-                f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(keys.size)}"
-            )
+            raise InputError(f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(keys.size)}")
         if room < 0.0:
             what = f"{list(place)} is {-room / keys.unit:.3g} deep in an obstacle or a forbidden area"
             raise InputError(f"{file}: {key}", what, "move it to free ground")

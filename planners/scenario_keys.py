@@ -106,7 +106,5 @@ def _frame(keys: ScenarioKeys, file: FilePath) -> Frame | None:
         return None
     lat, lon = keys.origin
     if not (abs(lat) <= 90.0 and abs(lon) <= 180.0):
-        raise InputError(
-            f"{file}: origin", f"[{lat}, {lon}] is no place", "give [latitude, longitude] in degrees"
-        )
+        raise InputError(f"{file}: origin", f"[{lat}, {lon}] is no place", "give [latitude, longitude] in degrees")
     return Frame(lat, lon)

@@ -13,8 +13,8 @@ def available_radii(path: Path, corridor: float) -> tuple[Ints, Floats, Floats]:
 
     Fly-by geometry: at a vertex with turn d and shorter adjoining leg l a vehicle may turn with at most
     min((l / 2) / tan(d / 2), corridor / (1 / cos(d / 2) - 1)): the arc's tangents fit into half a leg, and it cuts the
-    corner by no more than the corridor. Where the path itself turns gradually (no point of it takes half of d), l is
-    the mean leg, since simplifying a curve leaves legs of uneven length that no turn depends on.
+    corner by no more than the corridor. Where the path itself turns gradually (no point of it takes nearly all of d), l
+    is the mean leg, since simplifying a curve leaves legs of uneven length that no turn depends on.
     """
     kept = path.simplify(0.1 * corridor)
     xy = path.xy[kept]
@@ -33,10 +33,10 @@ def available_radii(path: Path, corridor: float) -> tuple[Ints, Floats, Floats]:
 
 
 def _gradual(path: Path, kept: Ints, turns: Floats) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Whether no single point between the middles of the adjoining legs takes more than half of each vertex's turn."""
+    """Whether no single point between the middles of the adjoining legs takes 0.9 of a vertex's turn."""
     middles = (path.s[kept[:-1]] + path.s[kept[1:]]) / 2
     bounds = np.searchsorted(path.s, middles)
     sharpest = np.array(
         [np.abs(path.turns[a:b]).max(initial=0.0) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
     )
-    return np.asarray(sharpest < 0.5 * np.abs(turns))
+    return np.asarray(sharpest < 0.9 * np.abs(turns))

@@ -68,12 +68,7 @@ def _names(into: type[msgspec.Struct], key: str) -> list[str]:
     found: list[inspect.Type] = [inspect.type_info(into)]
     for step in re.findall(r"\w[\w-]*|\[[^]]*\]", key):
         found = [inner for kind in _flat(found) for inner in _children(kind, step)]
-    return [
-        field.encode_name
-        for kind in _flat(found)
-        if isinstance(kind, inspect.StructType)
-        for field in kind.fields
-    ]
+    return [field.encode_name for kind in _flat(found) if isinstance(kind, inspect.StructType) for field in kind.fields]
 
 
 def _flat(kinds: list[inspect.Type]) -> list[inspect.Type]:

@@ -11,7 +11,15 @@ STANDARD_GRAVITY = 9.80665  # [m/s^2], CGPM 1901: the "g" of load factors and of
 METRES_PER_FOOT = 0.3048  # exact, international foot
 SECONDS_PER_HOUR = 3600.0
 
-_SPEED_UNITS = {"": 1.0, "m/s": 1.0, "mps": 1.0, "km/h": 1 / 3.6, "kmh": 1 / 3.6, "kt": 1852 / 3600, "kn": 1852 / 3600}
+_SPEED_UNITS = {
+    "": 1.0,
+    "m/s": 1.0,
+    "mps": 1.0,
+    "km/h": 1 / 3.6,
+    "kmh": 1 / 3.6,
+    "kt": 1852 / 3600,
+    "kn": 1852 / 3600,
+}
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 

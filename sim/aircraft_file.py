@@ -7,20 +7,16 @@ from pathlib import Path
 
 import msgspec
 
-from planners.errors import InputError
 from planners.footprint import Disc
+from planners.typed_toml import read_toml
 from planners.units import STANDARD_GRAVITY
-from sim.vehicle import Limits
+from sim.vehicle import Bound, Limits
 
 AIRCRAFT_FOLDER = Path(__file__).parent / "aircraft"
 ALL_AIRCRAFT = ("c172x",)
 
 
-class _Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    pass
-
-
-class Envelope(_Table):
+class Envelope(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What the aircraft can do: speeds [m/s true], angles [deg], gradients [1], `corridor` half-width [m]."""
 
     speed: float
@@ -34,7 +30,7 @@ class Envelope(_Table):
     corridor: float
 
 
-class Roll(_Table):
+class Roll(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Bank loop: times [s], `rate_limit` [deg/s], aileron per rad/s and per rad."""
 
     time: float
@@ -44,14 +40,14 @@ class Roll(_Table):
     response_time: float
 
 
-class Yaw(_Table):
+class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Turn coordination: rudder per rad/s of yaw rate and per g s of lateral acceleration."""
 
     rudder: float
     rudder_integral: float
 
 
-class Pitch(_Table):
+class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Altitude loop: times [s], `climb_limit` [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
 
     altitude_time: float
@@ -64,7 +60,7 @@ class Pitch(_Table):
     elevator_integral: float
 
 
-class Throttle(_Table):
+class Throttle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Airspeed loop: throttle per m/s, per m, per g of load factor above 1, per unit of climb gradient."""
 
     gain: float
@@ -73,20 +69,43 @@ class Throttle(_Table):
     climb_power: float
 
 
-class OwnAutopilot(_Table):
+class OwnAutopilot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The model's own autopilot, which ours replaces: its JSBSim `systems`, and the `outputs` its flight controls read."""
 
     systems: tuple[str, ...] = ()
     outputs: tuple[str, ...] = ()
 
 
-class Aircraft(_Table):
+class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m] and airspeed [m/s] errors."""
+
+    bank_max: float
+    load_factor_max: float
+    stall_margin_min: float
+    altitude_error_max: float
+    speed_error_max: float
+    source: str
+
+    def bounds(self) -> tuple[Bound, ...]:
+        """The same as default requirements, in SI units."""
+        values = {
+            "bank_max": math.radians(self.bank_max),
+            "load_factor_max": self.load_factor_max,
+            "altitude_error_max": self.altitude_error_max,
+            "speed_error_max": self.speed_error_max,
+        }
+        most = tuple(Bound(metric, "<=", limit, self.source) for metric, limit in values.items())
+        return (*most, Bound("stall_margin_min", ">=", math.radians(self.stall_margin_min), self.source))
+
+
+class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One aircraft file. `root` is a JSBSim root folder beside the file; left out, JSBSim's own."""
 
     name: str
     model: str
     span: float
     envelope: Envelope
+    operation: Operation
     roll: Roll
     yaw: Yaw
     pitch: Pitch
@@ -112,6 +131,7 @@ class Aircraft(_Table):
             equivalent_length=2.0 * envelope.speed * self.roll.response_time,
             corridor=envelope.corridor,
             footprint=Disc(self.span / 2),
+            bounds=self.operation.bounds(),
             climb_gradient=envelope.climb_gradient,
             descent_gradient=envelope.descent_gradient,
         )
@@ -121,12 +141,7 @@ def load_aircraft(name_or_file: str) -> Aircraft:
     """A built-in aircraft by name, or one from a TOML file; raises `InputError` naming file and key."""
     built_in = name_or_file in ALL_AIRCRAFT
     file = AIRCRAFT_FOLDER / f"{name_or_file}.toml" if built_in else Path(name_or_file)
-    try:
-        aircraft = msgspec.toml.decode(file.read_bytes(), type=Aircraft)
-    except OSError as error:
-        raise InputError(str(file), f"cannot be read ({error.strerror})") from error
-    except msgspec.MsgspecError as error:
-        raise InputError(str(file), str(error), "an aircraft file has the keys of sim/aircraft/c172x.toml") from error
+    aircraft = read_toml(file, Aircraft)
     if aircraft.root:
         return msgspec.structs.replace(aircraft, root=str(file.parent / aircraft.root))
     return aircraft

@@ -12,6 +12,7 @@ import math
 import jsbsim
 
 from sim.aircraft_file import Aircraft
+from sim.jsbsim_model import property_node
 
 
 class Autopilot:
@@ -31,11 +32,11 @@ class Autopilot:
         }
         for name, value in gains.items():
             fdm[f"attitude-hold/{name}"] = value
-        node = fdm.get_property_manager().get_node
-        self._set_bank = node("attitude-hold/bank-cmd-rad").set_double_value
-        self._set_pitch = node("attitude-hold/pitch-cmd-rad").set_double_value
+        self._set_bank = property_node(fdm, "attitude-hold/bank-cmd-rad").set_double_value
+        self._set_pitch = property_node(fdm, "attitude-hold/pitch-cmd-rad").set_double_value
         engines = fdm.get_propulsion().get_num_engines()
-        self._set_throttles = [node(f"fcs/throttle-cmd-norm[{i}]").set_double_value for i in range(engines)]
+        throttles = [property_node(fdm, f"fcs/throttle-cmd-norm[{i}]") for i in range(engines)]
+        self._set_throttles = [throttle.set_double_value for throttle in throttles]
         self._pitch_gains, self._throttle_gains, self._period = pitch, aircraft.throttle, period
         self._turn_pitch = math.radians(pitch.turn_lift)
         self._bank_step = math.radians(roll.rate_limit) * period

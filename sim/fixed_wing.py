@@ -9,7 +9,7 @@ from planners.frame import point_transform
 from planners.units import METRES_PER_FOOT, wrap
 from sim.aircraft_file import Aircraft
 from sim.autopilot import Autopilot
-from sim.jsbsim_model import load_model, start_in_equilibrium
+from sim.jsbsim_model import load_model, property_node, start_in_equilibrium
 from sim.vehicle import Command, Conditions, Pose, State
 
 STEP = 1.0 / 120.0  # [s] of the simulation and, in it, of the attitude loops
@@ -20,7 +20,15 @@ class FixedWing:
     """An aircraft of an `Aircraft` file under its autopilot."""
 
     period = guidance_period = STEPS * STEP
-    channels = ("bank", "pitch", "load_factor", "angle_of_attack", "stall_margin", "sideslip", "throttle")
+    channels: tuple[str, ...] = (
+        "bank",
+        "pitch",
+        "load_factor",
+        "angle_of_attack",
+        "stall_margin",
+        "sideslip",
+        "throttle",
+    )
 
     def __init__(self, aircraft: Aircraft) -> None:
         self.name = aircraft.name
@@ -38,14 +46,13 @@ class FixedWing:
         self._to_local = transformer.transform
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)
         self._fdm, self._run, self._t = fdm, fdm.run, 0.0
-        node = fdm.get_property_manager().get_node
         names = (
             "position/long-gc-deg", "position/lat-geod-deg", "position/geod-alt-ft",
             "velocities/v-east-fps", "velocities/v-north-fps", "velocities/h-dot-fps", "velocities/vt-fps",
             "attitude/phi-rad", "attitude/theta-rad", "attitude/psi-rad",
             "accelerations/Nz", "aero/alpha-rad", "aero/beta-rad", "accelerations/gravity-ft_sec2", "position/h-agl-ft",
         )  # fmt: skip
-        self._nodes = [node(name).get_double_value for name in names]
+        self._nodes = [property_node(fdm, name).get_double_value for name in names]
         self._course = pose.course
         self._state = self._observe(False)
         return self._state
@@ -72,9 +79,23 @@ class FixedWing:
         return self._state
 
     def _observe(self, saturated: bool) -> State:
-        (lon, lat, height, east, north, climb, airspeed, phi, theta, psi, nz, alpha, beta, gravity, above_ground) = (
-            [read() for read in self._nodes]
-        )
+        (
+            lon,
+            lat,
+            height,
+            east,
+            north,
+            climb,
+            airspeed,
+            phi,
+            theta,
+            psi,
+            nz,
+            alpha,
+            beta,
+            gravity,
+            above_ground,
+        ) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
         ground_speed = math.hypot(east, north) * METRES_PER_FOOT
         # Unwrapped, so that a turn over the period is a difference

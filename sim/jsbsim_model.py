@@ -39,7 +39,9 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
         )
     fdm = jsbsim.FGFDMExec(str(folder))
     fdm.set_debug_level(0)
-    fdm.set_aircraft_path(str(_with_attitude_hold(file, aircraft.own_autopilot.systems, aircraft.own_autopilot.outputs)))
+    fdm.set_aircraft_path(
+        str(_with_attitude_hold(file, aircraft.own_autopilot.systems, aircraft.own_autopilot.outputs))
+    )
     try:
         loaded = fdm.load_model(model)
     except jsbsim.BaseError as error:
@@ -79,6 +81,14 @@ def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[st
     shutil.copy(ATTITUDE_HOLD, aircraft / "Systems")
     model.write(aircraft / file.name)
     return folder
+
+
+def property_node(fdm: jsbsim.FGFDMExec, name: str) -> jsbsim.FGPropertyNode:
+    """The property of that name, far faster than `fdm[name]` when it is used often."""
+    node = fdm.get_property_manager().get_node(name)
+    if node is None:
+        raise TrackworthyError(f"this JSBSim model has no property {name}")
+    return node
 
 
 def start_in_equilibrium(

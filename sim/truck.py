@@ -13,7 +13,7 @@ from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 from planners.errors import InputError
 from planners.footprint import Rectangle
 from planners.units import STANDARD_GRAVITY
-from sim.vehicle import Command, Conditions, Limits, Pose, State
+from sim.vehicle import Bound, Command, Conditions, Limits, Pose, State
 
 WHEELBASE = 4.5  # [m] a two-axle 7 m truck
 BODY_LENGTH, BODY_WIDTH = 7.0, 2.5  # [m]; 2.5 m is the legal width in most countries (EU 96/53/EC: 2.55 m)
@@ -39,7 +39,7 @@ class Truck:
 
     name = "truck"
     period = 0.05
-    channels = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
+    channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 
     def __init__(self, steering_hz: float = 20.0, friction: float = FRICTION) -> None:
         self.guidance_period = max(1, round(1.0 / (steering_hz * self.period))) * self.period
@@ -54,6 +54,7 @@ class Truck:
             equivalent_length=WHEELBASE,
             corridor=0.5,
             footprint=Rectangle(BODY_LENGTH, BODY_WIDTH, ahead=WHEELBASE / 2),
+            bounds=(Bound("lateral_acceleration_max", "<=", LATERAL_REQUIREMENT, "paper 004, eq. 8: 0.6 g"),),
             curvature_max=math.tan(STEERING_LIMIT) / WHEELBASE,
         )
 

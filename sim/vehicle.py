@@ -69,6 +69,16 @@ class Conditions:
 
 
 @dataclass(frozen=True, slots=True)
+class Bound:
+    """A limit that a vehicle's operation sets by default: `metric` `comparison` `limit` [SI], and the `source` of it."""
+
+    metric: str
+    comparison: str
+    limit: float
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
 class Limits:
     """What a vehicle can do, for controllers, for the feasibility of a plan, and as default requirements.
 
@@ -76,7 +86,7 @@ class Limits:
     `lateral_acceleration` [m/s^2] bounds turning: g tan(bank limit), or the ground vehicle's requirement.
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a commanded to
     an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it, `climb_gradient` and
-    `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width, `footprint` the body.
+    `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width, `footprint` the body, `bounds` what else must hold for a run to be good.
     """
 
     kind: str
@@ -88,6 +98,7 @@ class Limits:
     equivalent_length: float
     corridor: float
     footprint: Footprint
+    bounds: tuple[Bound, ...] = ()
     curvature_max: float = math.inf
     climb_gradient: float = 0.0
     descent_gradient: float = 0.0

@@ -65,7 +65,7 @@ def assess(path: Path, limits: Limits, speed: float, wind: Wind, corridor: float
     vertices, angles, radii = available_radii(path, corridor)
     turns = tuple(
         Turn(
-            float(path.s[vertex]), *map(float, path.xy[vertex]), float(angle), float(radius),
+            float(path.s[vertex]), float(path.xy[vertex, 0]), float(path.xy[vertex, 1]), float(angle), float(radius),
             required_radius(limits, speed, wind, float(path.headings[vertex - 1]), float(angle)),
         )
         for vertex, angle, radius in zip(vertices, angles, radii, strict=True)

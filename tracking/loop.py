@@ -39,7 +39,8 @@ def follow(
     held_periods = round(vehicle.guidance_period / period)
     height = path.height_at if path.z is not None else None
     start = path.height_at(0.0) if height else altitude
-    state = vehicle.reset(Pose(*path.points[0, :2], start, path.headings[0]), speed, conditions, seed)
+    pose = Pose(float(path.xy[0, 0]), float(path.xy[0, 1]), start, float(path.headings[0]))
+    state = vehicle.reset(pose, speed, conditions, seed)
     controller.reset(limits, vehicle.guidance_period)
     integral = Integral(limits, corridor, vehicle.guidance_period)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypedDict
 
 SCHEMA_VERSION = 1  # of the metric definitions: a changed definition is a new version
 
@@ -24,6 +25,13 @@ class Metric:
     t: float = math.nan
     valid: bool = True
     note: str = ""
+
+
+class Where(TypedDict, total=False):
+    """Where along the path [m] and when [s] a metric was worst, as keyword arguments of `Metric`."""
+
+    s: float
+    t: float
 
 
 @dataclass(frozen=True, slots=True)

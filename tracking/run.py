@@ -8,6 +8,7 @@ from planners.map import Map
 from planners.path import Path
 from sim.vehicle import Conditions, Limits
 from tracking.feasibility import Feasibility
+from tracking.metric import Where
 from tracking.track import Track
 
 
@@ -24,3 +25,7 @@ class Run:
     feasibility: Feasibility
     obstacles: Map | None = None
     max_range: float | None = None
+
+    def where(self, sample: int) -> Where:
+        """Arc length and time of the track's sample of that index."""
+        return Where(s=float(self.track["s"][sample]), t=float(self.track["t"][sample]))

@@ -49,5 +49,5 @@ def judge(metrics: Mapping[str, Metric], requirements: Sequence[Requirement], ex
 def _margin(metrics: Mapping[str, Metric], requirement: Requirement) -> Margin:
     metric = metrics[requirement.metric]
     sign = 1.0 if requirement.comparison == "<=" else -1.0
-    value = sign * (requirement.limit - metric.value) if metric.valid else math.nan
+    value = sign * (requirement.limit - metric.value) + 0.0 if metric.valid else math.nan
     return Margin(requirement, metric, value)

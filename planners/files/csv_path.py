@@ -92,10 +92,7 @@ def write(path: Path, place: str) -> str:
     """The path as lat, lon[, alt] where it lies on Earth, else as x, y[, z] [m] without loss."""
     if on_earth(path):
         title = "lat,lon"
-        rows = [
-            f"{lat:.{DEGREE_DIGITS}f},{lon:.{DEGREE_DIGITS}f}"
-            for lat, lon in to_degrees(path, place).tolist()
-        ]
+        rows = [f"{lat:.{DEGREE_DIGITS}f},{lon:.{DEGREE_DIGITS}f}" for lat, lon in to_degrees(path, place).tolist()]
     else:
         title = "x,y"
         rows = [f"{x!r},{y!r}" for x, y in path.xy.tolist()]
@@ -150,17 +147,13 @@ def _columns(titles: list[str], place: str, notes: list[str]) -> dict[str, int]:
             remedy = f"convert it to {'degrees' if units is _DEGREES else 'metres'}"
             raise InputError(place, f"column {title!r} has another unit", remedy)
         if name in columns:
-            raise InputError(
-                place, f"columns {titles[columns[name]]!r} and {title!r} mean the same", "leave one out"
-            )
+            raise InputError(place, f"columns {titles[columns[name]]!r} and {title!r} mean the same", "leave one out")
         columns[name] = at
     metric, geographic = {"x", "y"} & columns.keys(), {"lat", "lon"} & columns.keys()
     if metric and geographic:
         raise InputError(place, "metres (x, y) and degrees (lat, lon) are mixed", "leave one pair out")
     if len(metric | geographic) < 2:
-        raise InputError(
-            place, f"no x and y, no lat and lon among {', '.join(map(repr, titles[:6]))}", _KNOWN
-        )
+        raise InputError(place, f"no x and y, no lat and lon among {', '.join(map(repr, titles[:6]))}", _KNOWN)
     return columns
 
 

@@ -44,9 +44,7 @@ def fence_map(fence: GeoFence, path: Path, place: str, notes: list[str]) -> Map 
     if path.frame is None:
         return None
     if fence.polygon:
-        notes.append(
-            "geoFence: a fence of version 1 is skipped; save the plan again with a newer QGroundControl"
-        )
+        notes.append("geoFence: a fence of version 1 is skipped; save the plan again with a newer QGroundControl")
     rings: dict[bool, list[Floats]] = {True: [], False: []}
     circles: dict[bool, list[Circle]] = {True: [], False: []}
     for i, polygon in enumerate(fence.polygons, 1):
@@ -58,9 +56,7 @@ def fence_map(fence: GeoFence, path: Path, place: str, notes: list[str]) -> Map 
         x, y = _local([circle.circle.center], path.frame, at)[0].tolist()
         circles[circle.inclusion].append(checked_circle(Circle(x, y, circle.circle.radius), at))
     if len(rings[True]) + len(circles[True]) > 1:
-        notes.append(
-            "geoFence: the path must stay inside all inclusion areas; PX4 is content with any one of them"
-        )
+        notes.append("geoFence: the path must stay inside all inclusion areas; PX4 is content with any one of them")
     if not any([*rings.values(), *circles.values()]):
         return None
     return Map(

@@ -54,9 +54,7 @@ def read(source: Source) -> PathFile:
         kinds = ", ".join(sorted({node.type for _, node in geometries})) or "nothing"
         raise InputError(source.place, f"no LineString, only {kinds}", "export the path as one LineString")
     path = _path(source, *lines[0])
-    skipped = [
-        f"{label}: a {node.type} is not a path" for label, node in geometries if node.type != "LineString"
-    ]
+    skipped = [f"{label}: a {node.type} is not a path" for label, node in geometries if node.type != "LineString"]
     return PathFile(path, (*skipped, *range_notes(path)))
 
 
@@ -95,9 +93,7 @@ def _path(source: Source, label: str, line: _Node) -> Path:
             raise InputError(f"{source.place}: position {i}", what, "give longitude, latitude[, altitude]")
     for i, position in enumerate(positions, 1):
         if len(position) == 2 and sizes != {2}:
-            raise InputError(
-                f"{source.place}: position {i}", "no altitude, but others have one", "give all or none"
-            )
+            raise InputError(f"{source.place}: position {i}", "no altitude, but others have one", "give all or none")
     z = [position[2] for position in positions] if positions and sizes != {2} else None
     lat, lon = [position[1] for position in positions], [position[0] for position in positions]
     return geographic_path(source, lambda i: f"position {i + 1}", lat, lon, z)

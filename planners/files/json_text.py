@@ -63,10 +63,6 @@ def _syntax_error(message: str, text: str, place: str) -> InputError:
     line = before.count(b"\n") + 1
     column = len(before[before.rfind(b"\n") + 1 :].decode(errors="replace")) + 1
     what = (
-        _BYTE.sub("", message)
-        .removeprefix("JSON is malformed: ")
-        .replace("Input data was truncated", "it ends here")
+        _BYTE.sub("", message).removeprefix("JSON is malformed: ").replace("Input data was truncated", "it ends here")
     )
-    return InputError(
-        f"{place}: line {line}, column {column}", f"broken JSON: {what}", "correct it or export it again"
-    )
+    return InputError(f"{place}: line {line}, column {column}", f"broken JSON: {what}", "correct it or export it again")

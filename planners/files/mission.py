@@ -14,9 +14,7 @@ from planners.files.points import HEIGHT_DIGITS, check_position, geographic_path
 from planners.files.source import PathFile, Source
 from planners.path import Path
 
-SAME_PLACE = (
-    5e-8  # [deg] half the resolution of MISSION_ITEM_INT: the vehicle cannot tell such positions apart
-)
+SAME_PLACE = 5e-8  # [deg] half the resolution of MISSION_ITEM_INT: the vehicle cannot tell such positions apart
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,13 +132,9 @@ class _Taker:
         if reference == "absolute":
             return item.alt
         if reference == "terrain":
-            self._read_as(
-                item, "heights above the terrain are taken as above home, there is no terrain model"
-            )
+            self._read_as(item, "heights above the terrain are taken as above home, there is no terrain model")
         if not self.home_alt:
-            self._read_as(
-                item, "the altitude of home is not known, heights relative to it are taken as above 0 m"
-            )
+            self._read_as(item, "the altitude of home is not known, heights relative to it are taken as above 0 m")
         return item.alt + (self.home_alt or 0.0)
 
     def _take_speed(self, item: MissionItem) -> None:

@@ -78,9 +78,7 @@ def read(source: Source) -> PathFile:
     check_marks(source.text.count("["), source.place)  # every item has an array
     plan = decode(source.text, _Plan, source.place)
     if plan.file_type != "Plan":
-        raise InputError(
-            source.place, f"fileType is {plan.file_type!r}, not 'Plan'", "save the mission as a plan"
-        )
+        raise InputError(source.place, f"fileType is {plan.file_type!r}, not 'Plan'", "save the mission as a plan")
     if plan.mission is None:
         raise InputError(source.place, "there is no mission in the plan", "add a mission with waypoints")
     notes: list[str] = []

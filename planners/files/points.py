@@ -50,21 +50,15 @@ def range_notes(path: Path) -> tuple[str, ...]:
     reach = float(np.hypot(*(path.xy - path.xy[0]).T).max())
     if path.frame is None or reach <= FAITHFUL_RANGE:
         return ()
-    return (
-        f"the path goes {reach / 1e3:.0f} km from its first point; distances across it are stretched there",
-    )
+    return (f"the path goes {reach / 1e3:.0f} km from its first point; distances across it are stretched there",)
 
 
 def to_degrees(path: Path, place: str) -> Floats:
     """Latitudes and longitudes [deg] of the path, (N, 2), rounded as written."""
     if path.frame is None:
-        raise InputError(
-            place, "the path has no place on Earth, its coordinates are metres", "write it as .csv"
-        )
+        raise InputError(place, "the path has no place on Earth, its coordinates are metres", "write it as .csv")
     if not on_earth(path):
-        raise InputError(
-            place, "the path is not on Earth, and the format knows only WGS 84", "write it as .csv"
-        )
+        raise InputError(place, "the path is not on Earth, and the format knows only WGS 84", "write it as .csv")
     return np.round(path.frame.to_geographic(path.xy), DEGREE_DIGITS)
 
 

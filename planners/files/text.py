@@ -64,9 +64,7 @@ def check_marks(count: int, place: str) -> None:
 def check_count(count: int, place: str) -> None:
     """Refuse more than `MAX_POINTS` points."""
     if count > MAX_POINTS:
-        raise InputError(
-            place, f"{count} points are over the limit of {MAX_POINTS}", "split or simplify the path"
-        )
+        raise InputError(place, f"{count} points are over the limit of {MAX_POINTS}", "split or simplify the path")
 
 
 def _check_size(size: int, place: str) -> None:

@@ -63,7 +63,9 @@ def cpu_time(work: Callable[[], object]) -> float:
     return time.process_time() - start
 
 
-def report(name: str, path: Path, vehicle: Vehicle, speed: float, bare: Callable[[int], float], per_period: int) -> None:
+def report(
+    name: str, path: Path, vehicle: Vehicle, speed: float, bare: Callable[[int], float], per_period: int
+) -> None:
     """Print the ratio of a closed-loop trial, start included, to the bare simulator."""
 
     def trial() -> int:

@@ -26,7 +26,7 @@ def clearance(run: Run) -> list[Metric]:
     poses = np.column_stack([track["x"], track["y"], track["heading"]])
     distance = run.obstacles.clearance(poses, run.limits.footprint)
     worst = int(np.nanargmin(distance))
-    where = {"s": float(track["s"][worst]), "t": float(track["t"][worst])}
+    where = run.where(worst)
     inside = distance < 0.0
     return [
         Metric("clearance_min", float(distance[worst]), "m", "higher", **where),

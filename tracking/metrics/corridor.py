@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.metric import Metric
+from tracking.metric import Metric, Where
 from tracking.metrics.errors import centred_weights, cross_track_errors
 from tracking.run import Run
 
@@ -22,7 +22,7 @@ def corridor(run: Run) -> list[Metric]:
     worst = int(np.argmax(np.abs(errors.e)))
     excess = max(float(np.abs(errors.e[worst])) - run.corridor, 0.0)
     missing = float(errors.weight[flown:].sum())
-    where = {"s": float(errors.s[worst]), "t": float(errors.t[worst])} if excess > 0.0 else {}
+    where = errors.where(worst) if excess > 0.0 else Where()
     distance = float(centred_weights(track.distance)[outside].sum()) + missing
     time = float(centred_weights(track["t"])[outside].sum())
     return [
@@ -59,5 +59,3 @@ def lengths(run: Run) -> list[Metric]:
     if run.max_range is not None:
         metrics.append(Metric("range_used", track / run.max_range, "1"))
     return metrics
-
-

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from planners.kernel import Floats
-from tracking.metric import Metric
+from tracking.metric import Metric, Where
 from tracking.run import Run
 
 
@@ -25,6 +25,10 @@ class Errors:
     s: Floats
     t: Floats
     flown: int
+
+    def where(self, sample: int) -> Where:
+        """Arc length and time of the sample of that index."""
+        return Where(s=float(self.s[sample]), t=float(self.t[sample]))
 
 
 def cross_track_errors(run: Run) -> Errors:
@@ -51,7 +55,8 @@ def centred_weights(at: Floats) -> Floats:
     if len(at) < 2:
         return np.ones(len(at))
     half = np.diff(at) / 2
-    return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
+    weights: Floats = np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
+    return weights
 
 
 def unreached(run: Run) -> Floats:
@@ -79,7 +84,7 @@ def cross_track(run: Run) -> list[Metric]:
     if total == 0.0:
         weight, total = np.ones(len(size)), float(len(size))
     worst = int(np.argmax(size))
-    where = {"s": float(errors.s[worst]), "t": float(errors.t[worst])}
+    where = errors.where(worst)
     values = {
         "mean": float(np.sum(errors.e * weight) / total),
         "rms": float(np.sqrt(np.sum(size**2 * weight) / total)),

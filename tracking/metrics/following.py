@@ -25,9 +25,7 @@ def altitude(run: Run) -> list[Metric]:
     """Flown minus commanded altitude [m]; only aircraft have one."""
     if run.limits.kind == "ground":
         note = "a ground vehicle commands no altitude"
-        return [
-            Metric(f"altitude_error_{kind}", math.nan, "m", valid=False, note=note) for kind in ("rms", "max")
-        ]
+        return [Metric(f"altitude_error_{kind}", math.nan, "m", valid=False, note=note) for kind in ("rms", "max")]
     return _rms_and_max("altitude_error", run.track["z"] - run.track["altitude_command"], "m", run)
 
 
@@ -40,7 +38,7 @@ def speed(run: Run) -> list[Metric]:
 def _rms_and_max(name: str, error: Floats, unit: str, run: Run) -> list[Metric]:
     finite = np.where(np.isfinite(error), np.abs(error), 0.0)
     worst = int(np.argmax(finite))
-    where = {"s": float(run.track["s"][worst]), "t": float(run.track["t"][worst])}
+    where = run.where(worst)
     return [
         Metric(f"{name}_rms", float(np.sqrt(np.mean(finite**2))), unit, **where),
         Metric(f"{name}_max", float(finite[worst]), unit, **where),

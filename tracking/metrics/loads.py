@@ -47,5 +47,5 @@ def saturation(run: Run) -> list[Metric]:
 def _extreme(name: str, values: Floats, unit: str, run: Run, better: str = "lower") -> Metric:
     finite = np.where(np.isfinite(values), values, -np.inf if better == "lower" else np.inf)
     worst = int(np.argmax(finite) if better == "lower" else np.argmin(finite))
-    where = {"s": float(run.track["s"][worst]), "t": float(run.track["t"][worst])}
+    where = run.where(worst)
     return Metric(name, float(values[worst]), unit, better, **where)

@@ -14,9 +14,7 @@ from tracking.run import Run
 def turn_angles(run: Run) -> list[Metric]:
     """Largest turn angle [rad]: planned at the path's vertices (the papers' metric), flown over its median leg."""
     vertex = int(np.argmax(np.abs(run.path.turns)))
-    planned = Metric(
-        "turn_angle_max_planned", float(abs(run.path.turns[vertex])), "rad", s=float(run.path.s[vertex])
-    )
+    planned = Metric("turn_angle_max_planned", float(abs(run.path.turns[vertex])), "rad", s=float(run.path.s[vertex]))
     leg = float(np.median(np.diff(run.path.s)))
     distance, course = run.track.distance, np.unwrap(run.track["course"])
     if distance[-1] < leg or len(distance) < 2:
@@ -26,7 +24,7 @@ def turn_angles(run: Run) -> list[Metric]:
     change = np.abs(np.interp(start + leg, distance, course) - np.interp(start, distance, course))
     worst = int(np.argmax(change))
     note = f"course change over {leg:.3g} m"
-    where = {"s": float(run.track["s"][worst]), "t": float(run.track["t"][worst])}
+    where = run.where(worst)
     return [planned, Metric("turn_angle_max_flown", float(change[worst]), "rad", note=note, **where)]
 
 

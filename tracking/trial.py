@@ -1,0 +1,93 @@
+"""One trial: assess the plan, follow it, measure, judge."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from planners.errors import InputError, TrackworthyError
+from planners.map import Map
+from planners.path import Path
+from sim.vehicle import Conditions, Vehicle
+from sim.vehicles import make_vehicle
+from sim.wind import Wind
+from tracking.controllers import make_controller
+from tracking.feasibility import assess
+from tracking.loop import follow
+from tracking.metrics import measure
+from tracking.outcome import Outcome
+from tracking.requirements import default_requirements, with_user_requirements
+from tracking.run import Run
+from tracking.verdict import TRACKWORTHY, judge
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """What to try. None stands for the vehicle's own default; `altitude` [m] counts where the path has no heights.
+
+    `speed` [m/s] is true airspeed or ground speed, `corridor` [m] the half-width, `require` requirements as the user
+    writes them, `expect` the expected verdict.
+    """
+
+    name: str
+    path: Path
+    vehicle: str
+    controller: str = "lqr"
+    speed: float | None = None
+    altitude: float = 1000.0
+    corridor: float | None = None
+    wind: Wind = field(default_factory=Wind)
+    obstacles: Map | None = None
+    max_range: float | None = None
+    steering_hz: float = 20.0
+    require: Sequence[str] = ()
+    expect: str = TRACKWORTHY
+    seed: int = 0
+    notes: tuple[str, ...] = ()
+
+
+def run_trial(trial: Trial) -> Outcome:
+    """Run it. Raises `InputError` for what cannot be tried, `TrackworthyError` when the simulator fails."""
+    vehicle = make_vehicle(trial.vehicle, trial.steering_hz)
+    limits = vehicle.limits
+    speed = limits.speed if trial.speed is None else trial.speed
+    corridor = limits.corridor if trial.corridor is None else trial.corridor
+    if not (corridor > 0.0 and math.isfinite(corridor)):
+        raise InputError("corridor", f"{corridor:g} m is not a half-width", "choose one above 0")
+    conditions = Conditions(wind=trial.wind)
+    if trial.path.frame is not None:
+        conditions = replace(conditions, frame=trial.path.frame)
+    _check_start(trial, vehicle)
+    feasibility = assess(trial.path, limits, speed, trial.wind, corridor)
+    controller = make_controller(trial.controller)
+    try:
+        track = follow(trial.path, vehicle, controller, speed, trial.altitude, corridor, conditions, trial.seed)
+    except (ArithmeticError, RuntimeError) as error:
+        raise TrackworthyError(f"{trial.name}: the simulator of {vehicle.name} failed: {error}") from error
+    run = Run(trial.path, track, limits, speed, corridor, conditions, feasibility, trial.obstacles, trial.max_range)
+    metrics = measure(run)
+    defaults = default_requirements(limits, corridor, trial.obstacles is not None)
+    requirements = with_user_requirements(defaults, trial.require, metrics)
+    return Outcome(
+        name=trial.name, path=trial.path, obstacles=trial.obstacles, vehicle=vehicle.name, limits=limits,
+        controller=controller.name, speed=speed, corridor=corridor, conditions=conditions, seed=trial.seed, track=track,
+        metrics=metrics, feasibility=feasibility, verdict=judge(metrics, requirements, trial.expect), notes=trial.notes,
+    )  # fmt: skip
+
+
+def _check_start(trial: Trial, vehicle: Vehicle) -> None:
+    """A run that starts inside an obstacle, or beyond the edge, says nothing about the path."""
+    if trial.obstacles is None:
+        return
+    x, y = trial.path.xy[0]
+    pose = np.array([[x, y, trial.path.headings[0]]])
+    clearance = float(trial.obstacles.clearance(pose, vehicle.limits.footprint)[0])
+    if clearance < 0.0:
+        raise InputError(
+            trial.path.name,
+            f"its start ({x:.1f}, {y:.1f}) m puts the {vehicle.name} {-clearance:.2f} m into an obstacle or over the edge",
+            "start the path farther in",
+        )
