@@ -1,0 +1,56 @@
+"""A run for other programs, by the file's suffix: spreadsheets, Google Earth, GIS and ground stations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from planners.errors import InputError
+from tracking.outcome import Outcome
+
+
+def export(outcome: Outcome, file: str | Path) -> None:
+    """Write `outcome` to `file` as `.csv`, `.kml`, `.geojson` or `.tlog`.
+
+    All but CSV need to know where on the planet the path lies. The file appears whole or not at all. Raises
+    `InputError` for another suffix, for a path without a place, and where the folder does not exist.
+    """
+    suffix = Path(file).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise InputError(
+            str(file), f"cannot export {suffix or 'a file without a suffix'}", f"use {', '.join(SUFFIXES)}"
+        )
+    SUFFIXES[suffix](outcome, file)
+
+
+def _csv(outcome: Outcome, file: str | Path) -> None:
+    from reports.csv_file import write_csv
+
+    write_csv(outcome, file)
+
+
+def _kml(outcome: Outcome, file: str | Path) -> None:
+    from reports.kml import write_kml
+
+    write_kml(outcome, file)
+
+
+def _geojson(outcome: Outcome, file: str | Path) -> None:
+    from reports.geojson import write_geojson
+
+    write_geojson(outcome, file)
+
+
+def _tlog(outcome: Outcome, file: str | Path) -> None:
+    from mavlink.tlog import write_tlog
+    from reports.files import atomic
+    from reports.geographic import frame_of
+
+    frame_of(outcome, "a .tlog")  # before anything is written
+    with atomic(file) as temporary, open(temporary, "wb") as stream:
+        write_tlog(outcome, stream)
+
+
+SUFFIXES: dict[str, Callable[[Outcome, str | Path], None]] = {
+    ".csv": _csv, ".kml": _kml, ".geojson": _geojson, ".tlog": _tlog,
+}  # fmt: skip

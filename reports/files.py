@@ -1,0 +1,33 @@
+"""Files appear whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from planners.errors import InputError, TrackworthyError
+
+
+@contextmanager
+def atomic(file: str | Path) -> Iterator[Path]:
+    """A name in the same folder to write to; it becomes `file` when the block ends, and vanishes if the block fails.
+
+    Raises `InputError` where the folder does not exist, `TrackworthyError` where the disk does not take the
+    file.
+    """
+    final = Path(file)
+    if not final.parent.is_dir():
+        raise InputError(str(file), f"the folder {final.parent} does not exist", "create it first")
+    if final.is_dir():
+        raise InputError(str(file), "this is a folder", "give the name of a file")
+    # The process id keeps workers that write the same file at the same time out of each other's way.
+    temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
+    try:
+        yield temporary
+        os.replace(temporary, final)
+    except OSError as error:
+        raise TrackworthyError(f"{final}: cannot be written: {error.strerror or error}") from error
+    finally:
+        temporary.unlink(missing_ok=True)

@@ -1,0 +1,120 @@
+"""One run as plain values for machines: what `--json` prints."""
+
+from __future__ import annotations
+
+import math
+from importlib.metadata import PackageNotFoundError, version
+
+from reports.deciding import deciding
+from reports.quantity import degrees
+from reports.words import reason, sentence
+from tracking.feasibility import Slope, Turn
+from tracking.metric import SCHEMA_VERSION, Margin, Metric
+from tracking.outcome import Outcome
+from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
+
+Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
+
+
+def to_json(outcome: Outcome) -> dict[str, Json]:
+    """`outcome` as JSON values: SI units, angles in degrees with unit "deg", null where there is no number."""
+    verdict, limits, wind = outcome.verdict, outcome.limits, outcome.conditions.wind
+    decided = deciding(verdict)
+    frame = outcome.track.frame or outcome.path.frame
+    return {
+        "name": outcome.name,
+        "verdict": TRACKWORTHY if verdict.trackworthy else NOT_TRACKWORTHY,
+        "trackworthy": verdict.trackworthy,
+        "expected": verdict.expect,
+        "passed": verdict.passed,
+        "sentence": sentence(outcome),
+        "reason": reason(outcome),
+        "decided_by": decided.metric.name if decided else None,
+        "ended": outcome.track.ended,
+        "vehicle": {"name": outcome.vehicle, "kind": limits.kind},
+        "controller": outcome.controller,
+        "speed": outcome.speed,
+        "corridor": outcome.corridor,
+        "wind": {"speed": wind.speed, "from_deg": wind.from_deg if wind.speed > 0.0 else None},
+        "seed": outcome.seed,
+        "path": {
+            "name": outcome.path.name,
+            "points": len(outcome.path.points),
+            "length": outcome.path.length,
+            "origin": {"lat": frame.lat, "lon": frame.lon} if frame else None,
+        },
+        "requirements": [_requirement(margin) for margin in verdict.margins],
+        "metrics": {name: _metric(metric) for name, metric in outcome.metrics.items()},
+        "feasibility": {
+            "turns": len(outcome.feasibility.turns),
+            "tight": [_turn(turn) for turn in outcome.feasibility.tight],
+            "steep": [_slope(slope) for slope in outcome.feasibility.steep],
+        },
+        "notes": list(outcome.notes),
+        "versions": {"trackworthy": _version(), "schema": SCHEMA_VERSION},
+    }
+
+
+def _requirement(margin: Margin) -> Json:
+    metric, requirement = margin.metric, margin.requirement
+    limit, unit = degrees(requirement.limit, metric.unit)
+    return {
+        "metric": requirement.metric,
+        "comparison": requirement.comparison,
+        "limit": _finite(limit),
+        "value": _finite(degrees(metric.value, metric.unit)[0]),
+        "margin": _finite(degrees(margin.value, metric.unit)[0]),
+        "unit": unit,
+        "met": margin.met,
+        "s": _finite(metric.s),
+        "t": _finite(metric.t),
+        "source": requirement.source,
+    }
+
+
+def _metric(metric: Metric) -> Json:
+    value, unit = degrees(metric.value, metric.unit)
+    return {
+        "value": _finite(value) if metric.valid else None,
+        "unit": unit,
+        "better": metric.better,
+        "valid": metric.valid,
+        "s": _finite(metric.s),
+        "t": _finite(metric.t),
+        "note": metric.note,
+    }
+
+
+def _turn(turn: Turn) -> Json:
+    return {
+        "s": turn.s,
+        "x": turn.x,
+        "y": turn.y,
+        "angle_deg": math.degrees(turn.angle),
+        "required": _finite(turn.required),
+        "available": _finite(turn.available),
+        "missing": _finite(-turn.margin),
+    }
+
+
+def _slope(slope: Slope) -> Json:
+    missing = abs(slope.gradient) - abs(slope.limit)
+    return {
+        "s": slope.s,
+        "s_end": slope.s_end,
+        "gradient": slope.gradient,
+        "limit": slope.limit,
+        "missing": missing,
+    }
+
+
+def _finite(value: float) -> float | None:
+    """JSON has no NaN and no infinity."""
+    return float(value) if math.isfinite(value) else None
+
+
+def _version() -> str:
+    try:
+        return version("trackworthy")
+    except PackageNotFoundError:  # run from a checkout that is not installed
+        return "unknown"

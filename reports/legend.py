@@ -1,0 +1,34 @@
+"""What the marks on a map mean."""
+
+from __future__ import annotations
+
+from matplotlib.lines import Line2D
+
+from reports.style import CORRIDOR, DASHES, FENCE, FENCE_DASHES, INK, MUTED, PAPER, TIGHT, WORST, Look
+from tracking.outcome import Outcome
+
+
+def legend_entries(outcome: Outcome) -> list[Line2D]:
+    """One entry for every kind of mark that the map of `outcome` has."""
+    looks: list[Look] = [
+        {"label": "planned", "color": INK, "linewidth": 1.0, "linestyle": DASHES},
+        {"label": "corridor", "color": CORRIDOR, "linewidth": 5.0, "alpha": 0.4},
+        _mark("start", (3, 0, -90), 7.0, INK, PAPER),
+        _mark("goal", "s", 6.0, INK, PAPER),
+        {**_mark("worst point", "o", 8.0, "none", WORST), "markeredgewidth": 1.6},
+    ]
+    if outcome.feasibility.tight:
+        looks.append(_mark("turn too tight", "v", 7.0, TIGHT, INK))
+    area = outcome.obstacles
+    if area is not None and (area.keep_in or area.keep_in_circles):
+        looks.append({"label": "fence", "color": FENCE, "linewidth": 1.4, "linestyle": FENCE_DASHES})
+    if area is not None and area.bounds is not None:
+        looks.append({"label": "map edge", "color": MUTED, "linewidth": 1.2})
+    return [Line2D([], [], **look) for look in looks]
+
+
+def _mark(label: str, shape: object, size: float, face: str, edge: str) -> Look:
+    return {
+        "label": label, "marker": shape, "markersize": size, "markerfacecolor": face, "markeredgecolor": edge,
+        "markeredgewidth": 0.8, "linestyle": "none",
+    }  # fmt: skip

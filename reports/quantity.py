@@ -1,0 +1,77 @@
+"""From SI numbers to what people read: degrees, kilometres, per cent, and g beside accelerations."""
+
+from __future__ import annotations
+
+import math
+
+from planners.units import STANDARD_GRAVITY
+from tracking.metric import Metric
+
+KILO = 1000.0
+# Metrics with unit "1" that are a part of something, and read as per cent; other pure numbers are counts and ratios.
+_SHARES = ("completion", "corridor_fraction", "control_saturation", "friction_use_max", "range_used")
+_MOST_DIGITS = 9  # beyond them two numbers may look the same
+
+# SI unit -> what it is multiplied by, and the unit shown after it, with its space
+_SHOWN = {
+    "rad": (math.degrees(1.0), "°"),
+    "rad/s": (math.degrees(1.0), "°/s"),
+    "share": (100.0, " %"),
+    "m/s^2": (1.0, " m/s²"),
+    "1/m": (KILO, " 1/km"),
+    "1": (1.0, ""),
+    "": (1.0, ""),
+}
+
+
+def reading_unit(metric: Metric) -> str:
+    """The unit to hand to the functions here so that `metric` reads well: its own, or "share"."""
+    return "share" if metric.unit == "1" and metric.name in _SHARES else metric.unit
+
+
+def text(value: float, unit: str, digits: int = 3) -> str:
+    """`value` in the SI `unit` as text of `digits` significant digits: 0.785 rad is "45°", 3412 m is "3.41 km"."""
+    if math.isnan(value):
+        return "n/a"
+    if unit == "m" and abs(value) >= KILO and math.isfinite(value):
+        return f"{number(value / KILO, digits)} km"
+    factor, shown = _SHOWN.get(unit, (1.0, f" {unit}"))
+    if unit in ("1", "g"):
+        digits += 1  # ratios and load factors differ from 1 by little
+    return number(value * factor, digits) + shown
+
+
+def text_with_g(value: float, unit: str, digits: int = 3) -> str:
+    """Like `text`, with accelerations also as multiples of g: "5.88 m/s² (0.6 g)"."""
+    plain = text(value, unit, digits)
+    if unit != "m/s^2" or not math.isfinite(value):
+        return plain
+    return f"{plain} ({number(value / STANDARD_GRAVITY, digits)} g)"
+
+
+def pair(value: float, limit: float, unit: str, met: bool = False) -> tuple[str, str]:
+    """Both as text; unless `met`, with as many digits as it takes to tell them apart: never "30 m > 30 m"."""
+    digits = 3
+    while not met and digits < _MOST_DIGITS and text(value, unit, digits) == text(limit, unit, digits):
+        digits += 1
+    return text(value, unit, digits), text(limit, unit, digits)
+
+
+def number(value: float, digits: int = 3) -> str:
+    """A number with `digits` significant digits, whole digits kept, no exponent and no trailing zeros."""
+    if not math.isfinite(value):
+        return "n/a" if math.isnan(value) else ("∞" if value > 0.0 else "−∞")
+    if value == 0.0:
+        return "0"
+    decimals = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    shown = f"{value:.{min(decimals, digits + 3)}f}"
+    if "." in shown:
+        shown = shown.rstrip("0").rstrip(".")
+    return shown.removeprefix("-") if float(shown) == 0.0 else shown.replace("-", "−")
+
+
+def degrees(value: float, unit: str) -> tuple[float, str]:
+    """A value for machines to read: SI, but angles in degrees, with the unit's name."""
+    if unit.startswith("rad"):
+        return math.degrees(value), "deg" + unit.removeprefix("rad")
+    return value, unit

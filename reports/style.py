@@ -1,0 +1,128 @@
+"""The one style of every figure: colours, type, and files that are the same bytes every time.
+
+Colours are Okabe and Ito's (2008), told apart by every kind of colour vision; error runs through cividis
+(Nunez, Anderton and Renslow 2018), which also rises in lightness, so that a figure printed in grey still says
+it.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import Colormap, LinearSegmentedColormap
+from matplotlib.figure import Figure
+
+from reports.files import atomic
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+# Properties by name, as matplotlib takes them; it has no closer type for a set of them.
+Look = dict[str, Any]
+
+INK, MUTED, GRID, PAPER = "#1b2733", "#5b6875", "#e4e9ee", "#ffffff"
+GROUND_COLOUR, OBSTACLE, OBSTACLE_EDGE = "#f6f8fa", "#c3cad2", "#77828e"
+BLUE, SKY, GREEN, VERMILION, ORANGE, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#d55e00", "#e69f00", "#cc79a7"
+CORRIDOR, WORST, TIGHT, LIMIT, FENCE = SKY, VERMILION, PURPLE, VERMILION, GREEN
+PASS_BADGE, FAIL_BADGE = "#00735a", "#b34700"  # Okabe and Ito's green and vermilion, darkened for white type
+
+DASHES, FENCE_DASHES = (0, (4, 2.5)), (0, (5, 1.5, 1, 1.5))
+
+WIDTH = 8.0  # [in] of every figure
+DPI = 200  # 1600 pixels wide
+# For names in scripts that the first, bundled font lacks; used glyph by glyph where the machine has one of them.
+_FALLBACKS = (
+    "Noto Sans CJK SC", "Noto Sans CJK JP", "Noto Sans SC", "WenQuanYi Zen Hei", "Microsoft YaHei", "PingFang SC",
+)  # fmt: skip
+
+_RC: Look = {
+    "font.size": 8.0,
+    "axes.titlesize": 8.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.titlecolor": INK,
+    "axes.titlepad": 5.0,
+    "axes.labelsize": 8.0,
+    "axes.labelcolor": MUTED,
+    "axes.edgecolor": "#aab4be",
+    "axes.linewidth": 0.7,
+    "axes.facecolor": PAPER,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.unicode_minus": True,
+    "grid.color": GRID,
+    "grid.linewidth": 0.7,
+    "xtick.color": "#aab4be",
+    "ytick.color": "#aab4be",
+    "xtick.labelcolor": MUTED,
+    "ytick.labelcolor": MUTED,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "xtick.major.size": 3.0,
+    "ytick.major.size": 3.0,
+    "text.color": INK,
+    "text.parse_math": False,  # a dollar sign in a user's name is a dollar sign
+    "legend.frameon": False,
+    "legend.fontsize": 7.5,
+    "lines.solid_capstyle": "round",
+    "lines.solid_joinstyle": "round",
+    "figure.facecolor": PAPER,
+    "savefig.facecolor": PAPER,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "trackworthy",
+    "path.simplify": True,
+    "path.simplify_threshold": 0.2,
+    "agg.path.chunksize": 20000,
+}
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Within this context figures are made and saved in the one style, whatever the user's matplotlibrc says."""
+    from matplotlib.font_manager import fontManager
+
+    installed = set(fontManager.get_font_names())
+    families = ["DejaVu Sans", *(name for name in _FALLBACKS if name in installed)]
+    with mpl.rc_context(), warnings.catch_warnings():
+        mpl.rcdefaults()
+        for name, value in {**_RC, "font.family": families}.items():
+            mpl.rcParams[name] = value  # type: ignore[index]
+        # A character no font has is drawn as a box; that is no reason to warn about a user's name.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from")
+        yield
+
+
+def new_figure(height: float) -> Figure:
+    """An empty figure of the one width and of `height` [in]."""
+    figure = Figure(figsize=(WIDTH, height), dpi=DPI)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def place(figure: Figure, left: float, top: float, width: float, height: float) -> Axes:
+    """New axes in `figure`, their box in inches from the left and from the top."""
+    w, h = figure.get_size_inches()
+    return figure.add_axes((left / w, 1.0 - (top + height) / h, width / w, height / h))
+
+
+def save(figure: Figure, file: str | Path) -> None:
+    """Write `figure` as PNG or SVG, by the suffix of `file`: whole or not at all, and without date or version."""
+    kind = Path(file).suffix.lower().removeprefix(".")
+    metadata = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}[kind]
+    with atomic(file) as temporary:
+        figure.savefig(temporary, format=kind, metadata=metadata)
+
+
+def error_colours() -> Colormap:
+    """Cividis without its palest end, which white swallows; what leaves the corridor is vermilion."""
+    cividis = mpl.colormaps["cividis"]
+    colours = LinearSegmentedColormap.from_list("error", [cividis(0.92 * i / 255) for i in range(256)])
+    return colours.with_extremes(over=VERMILION, bad=MUTED)

@@ -1,0 +1,135 @@
+"""The picture of one run: the map, its worst point from near, and errors and effort over the distance."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from reports.body import draw_body
+from reports.extent import Extent, around, whole
+from reports.focus import Focus, focus
+from reports.header import draw_header, header_height
+from reports.layout import Box, Layout, layout
+from reports.legend import legend_entries
+from reports.map_panel import draw_map
+from reports.quantity import KILO, number
+from reports.series_panel import draw_panel, mark_unreached, panels
+from reports.style import INK, MUTED, WIDTH, error_colours, new_figure, place, save, style
+from reports.wind_mark import draw_wind
+from tracking.outcome import Outcome
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+
+_NO_HEADER = 0.12  # [in] above a figure without one
+_IN_KM = 3000.0  # [m] a longer axis is labelled in km
+_BROAD, _HIGH = 0.7, 0.3  # [in] between the ticks of an x and of a y axis
+_ROUND = (1, 2, 2.5, 5, 10)  # what ticks are multiples of
+
+
+def save_track_figure(outcome: Outcome, file: str | Path, title: bool = True) -> None:
+    """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
+
+    `title` False leaves name, verdict and reason out, for a page that says them itself. The same outcome
+    gives the same bytes. Raises `InputError` where the folder does not exist.
+    """
+    with style():
+        save(track_figure(outcome, title), file)
+
+
+def track_figure(outcome: Outcome, title: bool = True) -> Figure:
+    """The figure itself; to be called, and saved, within `style.style()`."""
+    view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
+    plan = layout(view.width / view.height, len(shown), header_height(outcome) if title else _NO_HEADER)
+    figure = new_figure(plan.height)
+    if title:
+        draw_header(figure, outcome)
+    _draw_maps(figure, outcome, marked, view, plan)
+    _draw_key(figure, outcome, plan)
+    scale, unit = (KILO, "km") if outcome.path.length >= _IN_KM else (1.0, "m")
+    for panel, box, lowest in zip(shown, plan.series, plan.lowest, strict=True):
+        axes = _axes(figure, box)
+        axes.set_xlim(-0.01 * outcome.path.length, 1.01 * outcome.path.length)
+        draw_panel(axes, outcome, panel, marked)
+        mark_unreached(axes, outcome)
+        _ticks(axes.yaxis, box.height / _HIGH, 1.0)
+        _ticks(axes.xaxis, box.width / _BROAD, scale)
+        axes.yaxis.set_label_coords(-0.5 / box.width, 0.5)
+        axes.tick_params(labelbottom=lowest)
+        if lowest:
+            axes.set_xlabel(f"distance along the path [{unit}], left is positive")
+    return figure
+
+
+def _draw_maps(figure: Figure, outcome: Outcome, marked: Focus | None, view: Extent, plan: Layout) -> None:
+    axes, view = _axes(figure, plan.map), view.filled(plan.map.width / plan.map.height)
+    draw_map(axes, outcome, view, marked)
+    scale, unit = (KILO, "km") if view.larger >= _IN_KM else (1.0, "m")
+    _ticks(axes.xaxis, plan.map.width / _BROAD, scale)
+    _ticks(axes.yaxis, plan.map.height / _HIGH, scale)
+    axes.set(xlabel=f"east [{unit}]", ylabel=f"north [{unit}]")
+    if outcome.conditions.wind.speed > 0.0:
+        draw_wind(axes, outcome, view)
+    if marked is None:
+        return
+    near = around(outcome, marked, view).filled(plan.near.width / plan.near.height)
+    frame = Rectangle((near.x_min, near.y_min), near.width, near.height)
+    frame.set(facecolor="none", edgecolor=INK, linewidth=0.7, zorder=6)
+    axes.add_patch(frame)
+    _draw_near(_axes(figure, plan.near), outcome, marked, near)
+
+
+def _draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None:
+    """The surroundings of the worst point, in metres from it."""
+    draw_map(axes, outcome, near, marked)
+    draw_body(axes, outcome, marked.index)
+    axes.set_title("\n".join(textwrap.wrap(f"Worst: {marked.label}", 40)))
+    for axis, zero in ((axes.xaxis, marked.x), (axes.yaxis, marked.y)):
+        low, high = (float(end) - zero for end in axis.get_view_interval())
+        ticks = MaxNLocator(nbins=4, steps=list(_ROUND)).tick_values(low, high)
+        shown = [float(tick) for tick in ticks if low <= tick <= high]
+        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])
+    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
+
+
+def _draw_key(figure: Figure, outcome: Outcome, plan: Layout) -> None:
+    """What the map's colours and marks mean."""
+    error = np.abs(outcome.track["cross_track"])
+    beyond = bool(np.any(error[np.isfinite(error)] > outcome.corridor))
+    box = plan.key
+    beside = plan.key_columns > 2
+    bar = place(figure, box.left if beside else box.left + 0.1, box.top + 0.06, 1.75, 0.09)
+    scale = ScalarMappable(Normalize(0.0, outcome.corridor), error_colours())
+    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", extend="max" if beyond else "neither")
+    colours.outline.set_linewidth(0.0)
+    colours.set_ticks(
+        [0.0, outcome.corridor / 2, outcome.corridor],
+        labels=[number(share * outcome.corridor) for share in (0, 0.5, 1)],
+    )
+    bar.tick_params(length=0, pad=2)
+    bar.set_title("distance from the path [m]", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
+    left, top = (box.left + 2.1, box.top - 0.14) if beside else (box.left, box.top + 0.38)
+    figure.legend(
+        handles=legend_entries(outcome), loc="upper left", ncols=plan.key_columns, columnspacing=1.4,
+        handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
+        bbox_to_anchor=(left / WIDTH, 1.0 - top / plan.height),
+    )  # fmt: skip
+
+
+def _ticks(axis: Axis, room: float, scale: float) -> None:
+    """At most as many round ticks as `room` says, labelled in `scale` [m]."""
+    axis.set_major_locator(MaxNLocator(nbins=max(2, min(8, int(room))), steps=list(_ROUND)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / scale, 4)))
+
+
+def _axes(figure: Figure, box: Box) -> Axes:
+    return place(figure, box.left, box.top, box.width, box.height)

@@ -1,0 +1,50 @@
+"""The wind on a map: an arrow in the corner where it hides least."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.patches import FancyArrowPatch
+
+from reports.extent import Extent, flown
+from reports.quantity import text
+from reports.style import INK, PAPER, Look
+from tracking.outcome import Outcome
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_ARROW, _WIDTH, _HEIGHT = 26.0, 52.0, 48.0  # [pt] the arrow's length, and the mark's whole box
+
+
+def draw_wind(axes: Axes, outcome: Outcome, view: Extent) -> None:
+    """Draw where the wind blows to, north being up, with its speed under the arrow."""
+    point = axes.figure.dpi / 72.0
+    width, height = _WIDTH * point / axes.bbox.width, _HEIGHT * point / axes.bbox.height
+    left, low = _emptiest(outcome, view, width, height)
+    wind = outcome.conditions.wind
+    reach = 0.5 * _ARROW * point * np.array([wind.east, wind.north]) / wind.speed
+    middle = axes.transAxes.transform((left + width / 2, low + 0.62 * height))
+    tail, head = (tuple(axes.transAxes.inverted().transform(middle + sign * reach)) for sign in (-1.0, 1.0))
+    look: Look = {"facecolor": INK, "edgecolor": PAPER, "linewidth": 0.8, "zorder": 9, "shrinkA": 0, "shrinkB": 0}
+    shape = "simple,head_length=7,head_width=7,tail_width=2.2"
+    axes.add_patch(FancyArrowPatch(tail, head, transform=axes.transAxes, arrowstyle=shape, **look))
+    axes.text(
+        left + width / 2, low + 0.05 * height, f"wind {text(wind.speed, 'm/s')}", transform=axes.transAxes,
+        ha="center", va="bottom", fontsize=7.0, zorder=9,
+        bbox={"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.85},
+    )  # fmt: skip
+
+
+def _emptiest(outcome: Outcome, view: Extent, width: float, height: float) -> tuple[float, float]:
+    """The lower left, in shares of the axes, of the corner that holds the least of path and track."""
+    spacing = max(outcome.path.length / 2000, 1e-3)
+    xy = np.concatenate([outcome.path.resample(spacing).xy, flown(outcome)])
+    xy = (xy - [view.x_min, view.y_min]) / [view.width, view.height]
+    corners = [(1 - width, 1 - height), (0.0, 1 - height), (1 - width, 0.0), (0.0, 0.0)]
+
+    def crowd(corner: tuple[float, float]) -> int:
+        return int(np.sum(((xy >= corner) & (xy <= np.add(corner, (width, height)))).all(axis=1)))
+
+    return min(corners, key=crowd)
