@@ -51,6 +51,7 @@ class FixedWing:
             "velocities/v-east-fps", "velocities/v-north-fps", "velocities/h-dot-fps", "velocities/vt-fps",
             "attitude/phi-rad", "attitude/theta-rad", "attitude/psi-rad",
             "accelerations/Nz", "aero/alpha-rad", "aero/beta-rad", "accelerations/gravity-ft_sec2", "position/h-agl-ft",
+            "gear/wow",
         )  # fmt: skip
         self._nodes = [property_node(fdm, name).get_double_value for name in names]
         self._course = pose.course
@@ -93,9 +94,7 @@ class FixedWing:
             nz,
             alpha,
             beta,
-            gravity,
-            above_ground,
-        ) = [read() for read in self._nodes]
+            gravity, above_ground, on_wheels) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
         ground_speed = math.hypot(east, north) * METRES_PER_FOOT
         # Unwrapped, so that a turn over the period is a difference
@@ -110,7 +109,7 @@ class FixedWing:
             self._t, x, y, height * METRES_PER_FOOT, heading, course, ground_speed, airspeed * METRES_PER_FOOT,
             climb * METRES_PER_FOOT, curvature, saturated,
             (-phi, theta, nz, alpha, stall_margin, beta, self._autopilot.throttle),
-            _fault(x + y + height + heading, above_ground, stall_margin),
+            _fault(x + y + height + heading, above_ground <= 0.0 or on_wheels > 0.0, stall_margin),
         )  # fmt: skip
 
     def _check(self, speed: float, pose: Pose) -> None:
@@ -132,9 +131,9 @@ class FixedWing:
             raise InputError("altitude", f"{pose.z:.4g} m is not above the ground", "choose an altitude above 0 m")
 
 
-def _fault(finite: float, above_ground: float, stall_margin: float) -> str:
+def _fault(finite: float, on_ground: bool, stall_margin: float) -> str:
     if not math.isfinite(finite):
         return "not a number"
-    if above_ground <= 0.0:
+    if on_ground:
         return "ground"
     return "stall" if stall_margin <= 0.0 else ""

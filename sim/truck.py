@@ -94,9 +94,15 @@ class Truck:
         return self._state((self._steering - before) / self.period, command.speed, saturated)
 
     def _grip_limited(self) -> float:
-        """The steering angle [rad] the tyres can turn into a curve; with more, the truck runs wide."""
-        speed = self._plant.speed
-        most = math.atan(self._grip * WHEELBASE / (speed * speed)) if speed else STEERING_LIMIT
+        """The steering angle [rad] the tyres can turn into a curve; with more, the truck runs wide.
+
+        With T = tan(delta), the rear axle moves at v / sqrt(1 + T^2 / 4) when the centre moves at v; so the lateral
+        acceleration v^2 T / (L (1 + T^2 / 4)) reaches the grip at the smaller root of a quadratic in T.
+        """
+        square, grip = self._plant.speed**2, self._grip * WHEELBASE
+        if square <= grip:
+            return self._steering
+        most = math.atan(2.0 * (square - math.sqrt(square * square - grip * grip)) / grip)
         return max(-most, min(most, self._steering))
 
     def _state(self, steering_rate: float, speed: float, saturated: bool) -> State:

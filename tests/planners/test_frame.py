@@ -1,0 +1,22 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pyproj import Geod
+
+from planners.frame import Frame
+
+
+@given(st.floats(-80, 80), st.floats(-180, 180), st.floats(0, 360), st.floats(1, 200e3))
+def test_distance_and_bearing_from_the_origin_are_the_geodesic_ones(lat, lon, azimuth, distance):
+    there_lon, there_lat, _ = Geod(ellps="WGS84").fwd(lon, lat, azimuth, distance)
+    x, y = Frame(lat, lon).to_local(np.array([there_lat]), np.array([there_lon]))[0]
+    assert np.hypot(x, y) == pytest.approx(distance, abs=1e-3)
+    assert np.cos(np.arctan2(x, y) - np.radians(azimuth)) == pytest.approx(1.0, abs=1e-9)
+
+
+@given(st.floats(-80, 80), st.floats(-180, 180), st.floats(-1e5, 1e5), st.floats(-1e5, 1e5))
+def test_there_and_back_is_exact_to_a_micrometre(lat, lon, x, y):
+    frame = Frame(lat, lon)
+    geographic = frame.to_geographic(np.array([[x, y]]))
+    assert frame.to_local(geographic[:, 0], geographic[:, 1])[0] == pytest.approx([x, y], abs=1e-6)

@@ -1,0 +1,65 @@
+import pytest
+from sim.aircraft_file import AIRCRAFT_FOLDER, ALL_AIRCRAFT, load_aircraft
+from sim.fixed_wing import FixedWing
+from sim.vehicle import Conditions, Pose
+from sim.vehicles import make_vehicle
+
+from planners.errors import InputError
+
+C172X = (AIRCRAFT_FOLDER / "c172x.toml").read_text()
+
+
+def variant(tmp_path, old, new):
+    file = tmp_path / "mine.toml"
+    assert old in C172X
+    file.write_text(C172X.replace(old, new))
+    return str(file)
+
+
+def test_every_file_in_the_folder_is_listed():
+    assert sorted(ALL_AIRCRAFT) == sorted(path.stem for path in AIRCRAFT_FOLDER.glob("*.toml"))
+
+
+def test_the_next_aircraft_needs_no_code(tmp_path):
+    aircraft = make_vehicle(variant(tmp_path, 'name = "c172x"', 'name = "mine"'))
+    assert aircraft.name == "mine"
+    assert aircraft.reset(Pose(0.0, 0.0, 500.0, 1.0), 50.0, Conditions(), 0).airspeed == pytest.approx(50.0, abs=0.1)
+
+
+def test_a_model_that_jsbsim_does_not_have_is_named_with_those_it_has(tmp_path):
+    aircraft = load_aircraft(variant(tmp_path, 'model = "c172x" ', 'model = "c173x" '))
+    with pytest.raises(InputError, match=r"no model 'c173x'.*c172x") as error:
+        FixedWing(aircraft).reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
+    assert "\n" not in str(error.value)
+
+
+def test_a_broken_model_is_an_error_with_its_file(tmp_path):
+    folder = tmp_path / "aircraft" / "broken"
+    folder.mkdir(parents=True)
+    (folder / "broken.xml").write_text("<fdm_config>")
+    aircraft = load_aircraft(variant(tmp_path, 'model = "c172x" ', 'root = "."\nmodel = "broken" '))
+    with pytest.raises(InputError, match=r"broken.xml: is not XML"):
+        FixedWing(aircraft).reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("bank_limit = 45.0", "bank_limits = 45.0", "bank_limit"),
+        ("bank_limit = 45.0", 'bank_limit = "steep"', "envelope.bank_limit"),
+        ("[roll] ", "[role] ", "role"),
+        ("[roll] ", "[roll ", "TOML"),
+    ],
+)
+def test_a_wrong_file_is_one_line_that_names_the_key(tmp_path, old, new, message):
+    with pytest.raises(InputError, match=message) as error:
+        load_aircraft(variant(tmp_path, old, new))
+    assert "mine.toml" in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_unknown_vehicles_and_missing_files_are_refused():
+    with pytest.raises(InputError, match="no vehicle 'boat'"):
+        make_vehicle("boat")
+    with pytest.raises(InputError, match="no such file"):
+        make_vehicle("nowhere.toml")

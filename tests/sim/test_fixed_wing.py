@@ -1,0 +1,167 @@
+import math
+from dataclasses import replace
+
+import jsbsim
+import numpy as np
+import pytest
+from pyproj import Geod
+from sim.aircraft_file import load_aircraft
+from sim.fixed_wing import STEP, FixedWing
+from sim.jsbsim_model import load_model, start_in_equilibrium
+from sim.vehicle import Command, Conditions, Pose
+from sim.wind import Wind
+
+from planners.errors import InputError
+from planners.frame import Frame
+
+V = 55.0
+START = Pose(0.0, 0.0, 1000.0, 0.3)
+FROM_ALL_SIDES = [Wind.blowing_from(10.0, direction) for direction in (0.0, 70.0, 160.0, 250.0)]
+
+
+def fly(curvature, seconds, wind=None, altitude=1000.0, gradient=0.0, frame=None):
+    conditions = Conditions(wind=wind or Wind(), frame=frame or Frame(0.0, 0.0))
+    aircraft = FixedWing(load_aircraft("c172x"))
+    states = [aircraft.reset(START, V, conditions, 0)]
+    for _ in range(round(seconds / aircraft.period)):
+        states.append(aircraft.step(Command(curvature, V, altitude + gradient * V * states[-1].t, gradient)))
+    return states
+
+
+def column(states, name):
+    return np.array([getattr(state, name) for state in states])
+
+
+def channel(states, name):
+    return np.array([state.channels[FixedWing.channels.index(name)] for state in states])
+
+
+@pytest.mark.parametrize("bank_deg", [-45.0, -30.0, -15.0, 15.0, 30.0, 45.0])
+def test_a_coordinated_turn_has_its_radius(bank_deg):
+    """V^2 / (g tan(bank)), within 1 %."""
+    states = fly(9.8 * math.tan(math.radians(bank_deg)) / V**2, 100.0)[1000:]
+    bank = channel(states, "bank").mean()
+    assert math.degrees(bank) == pytest.approx(bank_deg, abs=1.0)
+    x, y = column(states, "x"), column(states, "y")
+    a = np.column_stack([2 * x, 2 * y, np.ones_like(x)])
+    cx, cy, c = np.linalg.lstsq(a, x**2 + y**2, rcond=None)[0]
+    radius = math.sqrt(c + cx**2 + cy**2)
+    airspeed = column(states, "airspeed").mean()
+    assert radius == pytest.approx(airspeed**2 / (9.8 * math.tan(abs(bank))), rel=0.01)
+    assert channel(states, "load_factor").mean() == pytest.approx(1.0 / math.cos(bank), rel=0.01)
+    assert np.abs(column(states, "z") - 1000.0).max() < 8.0
+
+
+def test_left_curvature_turns_left_and_banks_left():
+    states = fly(1 / 1000.0, 20.0)
+    assert states[-1].course > START.course
+    assert states[-1].channels[0] > 0.0
+    assert states[-1].curvature == pytest.approx(1 / 1000.0, rel=0.05)
+
+
+@pytest.mark.parametrize("wind", [Wind(), *FROM_ALL_SIDES])
+def test_it_starts_in_equilibrium_on_its_course(wind):
+    states = fly(0.0, 2.0, wind)
+    assert column(states, "course") == pytest.approx(START.course, abs=2e-3)
+    assert column(states, "airspeed") == pytest.approx(V, abs=0.1)
+    assert column(states, "z") == pytest.approx(1000.0, abs=1.0)
+    assert np.abs(channel(states, "sideslip")).max() < math.radians(0.2)
+    assert np.abs(channel(states, "bank")).max() < math.radians(1.0)
+
+
+@pytest.mark.parametrize("wind", FROM_ALL_SIDES)
+def test_wind_displaces_an_uncontrolled_aircraft_as_the_wind_triangle_says(wind):
+    """No loops closed: the stock aircraft, trimmed, is carried along; a wrong sign of wind would double the error."""
+    fdm = load_model(load_aircraft("c172x"), STEP)
+    frame = Frame(10.0, 20.0)
+    start_in_equilibrium(fdm, START, frame.lat, frame.lon, V, wind)
+    heading = math.pi / 2 - fdm["attitude/psi-rad"]
+    seconds = 10.0
+    for _ in range(round(seconds / STEP)):
+        fdm.run()
+    x, y = frame.to_local(
+        np.array([fdm["position/lat-geod-deg"]]), np.array([fdm["position/long-gc-deg"]])
+    )[0]
+    assert x == pytest.approx((V * math.cos(heading) + wind.east) * seconds, abs=2.0)
+    assert y == pytest.approx((V * math.sin(heading) + wind.north) * seconds, abs=2.0)
+    assert math.atan2(y, x) == pytest.approx(START.course, abs=5e-3)
+
+
+def test_curvature_over_the_ground_is_kept_through_the_wind():
+    states = fly(1 / 800.0, 100.0, Wind.blowing_from(10.0, 300.0))[100:]
+    assert column(states, "curvature") == pytest.approx(1 / 800.0, rel=0.15)
+    assert column(states, "ground_speed").max() - column(states, "ground_speed").min() > 15.0
+
+
+def test_its_position_is_geodetic_truth():
+    """Distance from the start by the geodesic equals the local frame's, after 2 minutes at 47 deg north."""
+    frame = Frame(47.0, 8.0)
+    state = fly(0.0, 120.0, frame=frame)[-1]
+    lat, lon = frame.to_geographic(np.array([[state.x, state.y]]))[0]
+    distance = Geod(ellps="WGS84").inv(8.0, 47.0, lon, lat)[2]
+    assert math.hypot(state.x, state.y) == pytest.approx(distance, abs=0.01)
+    # At height, over the ellipsoid below: R / (R + h) of the distance in the air
+    assert distance == pytest.approx(V * 120.0 * 6.37e6 / 6.371e6, rel=2e-3)
+
+
+def test_a_steady_climb_follows_its_slope():
+    states = fly(0.0, 60.0, gradient=0.05)
+    late = states[600:]
+    slope = np.polyfit(column(late, "t") * V, column(late, "z"), 1)[0]
+    assert slope == pytest.approx(0.05, rel=0.03)
+    assert column(late, "airspeed") == pytest.approx(V, abs=2.0)
+
+
+def test_bank_responds_within_the_stated_time():
+    limits = FixedWing(load_aircraft("c172x")).limits
+    target = math.radians(10.0)
+    bank = channel(fly(9.8 * math.tan(target) / V**2, 5.0), "bank")
+    reached = np.argmax(bank > (1.0 - math.exp(-1.0)) * target) * FixedWing.period
+    assert reached == pytest.approx(limits.response_time, abs=0.1)
+
+
+def test_our_autopilot_in_place_of_its_own_changes_nothing_while_it_is_off():
+    """The aircraft with our loops, not engaged, flies exactly as the one JSBSim ships."""
+    stock = jsbsim.FGFDMExec(jsbsim.get_default_root_dir())
+    stock.load_model("c172x")
+    stock.set_dt(STEP)
+    stock.disable_output()
+    ours = load_model(load_aircraft("c172x"), STEP)
+    for fdm in (stock, ours):
+        start_in_equilibrium(fdm, START, 47.0, 8.0, V, Wind(5.0, 3.0))
+        fdm["fcs/aileron-cmd-norm"] += 0.05
+        for _ in range(600):
+            fdm.run()
+    for name in ("position/lat-geod-rad", "position/long-gc-rad", "position/geod-alt-ft", "attitude/phi-rad"):
+        assert ours[name] == pytest.approx(stock[name], rel=1e-12)
+
+
+def test_the_same_run_gives_the_same_bits():
+    once, again = fly(1 / 700.0, 20.0, FROM_ALL_SIDES[0]), fly(1 / 700.0, 20.0, FROM_ALL_SIDES[0])
+    assert once == again
+
+
+def test_flying_into_the_ground_is_a_fault():
+    aircraft = FixedWing(load_aircraft("c172x"))
+    state = aircraft.reset(replace(START, z=30.0), V, Conditions(), 0)
+    for _ in range(2000):
+        state = aircraft.step(Command(0.0, V, -200.0))
+        if state.fault:
+            break
+    assert state.fault == "ground"
+
+
+@pytest.mark.parametrize(
+    ("speed", "message"), [(15.0, "below its stall speed"), (30.0, "too close to its stall speed"), (90.0, "cannot hold")]
+)
+def test_a_speed_outside_the_envelope_is_refused(speed, message):
+    with pytest.raises(InputError, match=message):
+        FixedWing(load_aircraft("c172x")).reset(START, speed, Conditions(), 0)
+
+
+def test_a_start_below_ground_and_a_wind_stronger_than_the_aircraft_are_refused():
+    aircraft = FixedWing(load_aircraft("c172x"))
+    with pytest.raises(InputError, match="not above the ground"):
+        aircraft.reset(replace(START, z=0.0), V, Conditions(), 0)
+    with pytest.raises(InputError, match="cannot be held"):
+        aircraft.reset(START, V, Conditions(wind=Wind(north=80.0)), 0)

@@ -1,0 +1,85 @@
+"""`trackworthy list`: what there is to choose from."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from typing import Any
+
+
+def add_parser(commands: Any) -> None:
+    """Declare the command's arguments."""
+    parser = commands.add_parser("list", help="list vehicles, controllers, scenarios, campaigns, formats or metrics")
+    parser.set_defaults(main=main)
+    parser.add_argument("what", nargs="?", choices=tuple(_LISTS), help="left out: everything but metrics")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the names, one a line, with what they are."""
+    if args.what:
+        print(*_LISTS[args.what](), sep="\n")
+        return 0
+    for name, lines in _LISTS.items():
+        if name != "metrics":
+            print(f"{name}:", *(f"  {line}" for line in lines()), sep="\n")
+    return 0
+
+
+def _vehicles() -> list[str]:
+    from sim.vehicles import ALL_VEHICLES, make_vehicle
+
+    lines = []
+    for name in ALL_VEHICLES:
+        limits = make_vehicle(name).limits
+        speeds = f"{limits.speed_min:g} to {limits.speed_max:g} m/s, {limits.speed:g} by default"
+        lines.append(f"{name:<14}{limits.kind}, {speeds}; corridor {limits.corridor:g} m")
+    return lines
+
+
+def _controllers() -> list[str]:
+    from tracking.controllers import ALL_CONTROLLERS
+
+    return [f"{controller.name:<14}{_summary(controller)}" for controller in ALL_CONTROLLERS]
+
+
+def _scenarios() -> list[str]:
+    from planners.scenario import BUILT_IN_SCENARIOS, load_scenario
+
+    lines = []
+    for name in BUILT_IN_SCENARIOS:
+        scenario = load_scenario(name)
+        width, height = scenario.size
+        lines.append(f"{name:<22}{width:g} x {height:g} m")
+    return lines
+
+
+def _campaigns() -> list[str]:
+    from campaigns.campaign import BUILT_IN_CAMPAIGNS, load_campaign
+
+    return [f"{name:<14}{load_campaign(name).title}" for name in BUILT_IN_CAMPAIGNS]
+
+
+def _formats() -> list[str]:
+    from planners.files import FORMATS
+
+    return [f"{form.name:<22}{' '.join(form.suffixes)}" for form in FORMATS]
+
+
+def _metrics() -> list[str]:
+    from tracking.metrics import ALL_METRICS
+
+    return [_summary(metric) for metric in ALL_METRICS]
+
+
+def _summary(documented: object) -> str:
+    return (documented.__doc__ or "").strip().splitlines()[0]
+
+
+_LISTS: dict[str, Callable[[], list[str]]] = {
+    "vehicles": _vehicles,
+    "controllers": _controllers,
+    "scenarios": _scenarios,
+    "campaigns": _campaigns,
+    "formats": _formats,
+    "metrics": _metrics,
+}

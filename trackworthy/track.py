@@ -1,0 +1,82 @@
+"""`trackworthy track`: one path, one vehicle, one verdict."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from campaigns.case import Case
+
+
+def add_parser(commands: Any) -> None:
+    """Declare the command's arguments."""
+    parser = commands.add_parser(
+        "track", help="put one path under one vehicle and judge it", description="Put one path under one vehicle."
+    )
+    parser.set_defaults(main=main)
+    add = parser.add_argument
+    add("path", metavar="PATH", help="path or mission file: .csv, .geojson, .waypoints, .plan")
+    add("--vehicle", required=True, help="c172x, truck, or an aircraft's TOML file")
+    add("--controller", default="lqr", help="pure-pursuit, l1, stanley, vector-field or lqr (default)")
+    add("--speed", help="55, 55m/s, 30km/h or 100kt: airspeed of aircraft, ground speed of others")
+    add("--altitude", help="metres; in place of the path's own heights")
+    add("--wind", help="10@270: 10 m/s from 270 degrees true")
+    add("--corridor", help="half-width in metres within which the path must be kept")
+    add("--scenario", help="map with obstacles: a built-in name or a TOML file")
+    add("--corners", choices=("as-drawn", "fly-by"), default="as-drawn", help="fly-by rounds a mission's corners")
+    add("--steering-hz", type=float, default=20.0, help="how often a truck may steer (paper 004: 2)")
+    add("--require", action="append", default=[], metavar="LIMIT", help="e.g. 'cross_track_p95<=4'; repeatable")
+    add("--expect", choices=("trackworthy", "not-trackworthy"), default="trackworthy")
+    add("--picture", metavar="FILE.png", help="where to save the picture (default: PATH's name and the vehicle's)")
+    add("--export", action="append", default=[], metavar="FILE", help="flown track: .csv .kml .geojson .tlog; repeatable")
+    add("--json", action="store_true", help="print one JSON object on standard output and nothing else")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Track, show, save, and answer with the exit code."""
+    from campaigns.case import prepare
+    from reports.export import export
+    from reports.table import print_outcome
+    from reports.track_figure import save_track_figure
+    from tracking.trial import run_trial
+    from trackworthy.streams import chatter_to_stderr, tell
+
+    with chatter_to_stderr():
+        prepared = prepare(_case(args), Path())
+        tell(prepared.notes)
+        outcome = run_trial(prepared.trial)
+    picture = args.picture or f"{Path(args.path).stem}-{outcome.vehicle}.png"
+    save_track_figure(outcome, picture)
+    for file in args.export:
+        export(outcome, file)
+    if args.json:
+        import json
+
+        from reports.json_result import to_json
+
+        print(json.dumps(to_json(outcome), indent=2))
+    else:
+        print_outcome(outcome)
+    tell(f"saved {file}" for file in (picture, *args.export))
+    return 0 if outcome.verdict.passed else 1
+
+
+def _case(args: argparse.Namespace) -> Case:
+    from campaigns.case import Case
+
+    return Case(
+        path=args.path,
+        vehicle=args.vehicle,
+        controller=args.controller,
+        speed=args.speed,
+        altitude=args.altitude,
+        corridor=args.corridor,
+        wind=args.wind,
+        scenario=args.scenario,
+        corners=args.corners,
+        steering_hz=args.steering_hz,
+        require=tuple(args.require),
+        expect=args.expect,
+    )
