@@ -12,6 +12,8 @@ from reports.quantity import reading_unit, text
 from tracking.metric import Metric
 from tracking.outcome import Outcome
 
+_AT_THE_TIME = 1.0  # [s] a sample farther from a metric's time is not the one it speaks of
+
 
 @dataclass(frozen=True, slots=True)
 class Focus:
@@ -45,7 +47,7 @@ def _locate(outcome: Outcome, metric: Metric) -> Focus | None:
     label = f"{metric.name} {text(metric.value, reading_unit(metric))}"
     if math.isfinite(metric.t) and len(outcome.track):
         late = np.abs(outcome.track["t"] - metric.t)
-        if np.isfinite(late).any():
+        if np.isfinite(late).any() and np.nanmin(late) <= _AT_THE_TIME:
             return _at_sample(outcome, int(np.nanargmin(late)), label)
     if math.isfinite(metric.s):
         return Focus(metric.s, *outcome.path.point_at(metric.s), None, label)

@@ -31,7 +31,9 @@ def draw_header(figure: Figure, outcome: Outcome) -> None:
         fontsize=8.5, fontweight="bold", ha="right", va="center",
         bbox={"boxstyle": "round,pad=0.45", "facecolor": PASS_BADGE if good else FAIL_BADGE, "edgecolor": "none"},
     )  # fmt: skip
-    _draw_name(figure, outcome.name, badge.get_window_extent().x0 / figure.bbox.width - 0.25 / WIDTH, line)
+    _draw_name(
+        figure, " ".join(outcome.name.split()), badge.get_window_extent().x0 / figure.bbox.width - 0.25 / WIDTH, line
+    )
     figure.text(_LEFT / WIDTH, 1.0 - 0.45 / height, setting(outcome), color=MUTED, fontsize=8.5, va="center")
     figure.text(
         _LEFT / WIDTH,

@@ -20,8 +20,9 @@ from reports.header import draw_header, header_height
 from reports.layout import Box, Layout, layout
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
+from reports.panels import panels
 from reports.quantity import KILO, number
-from reports.series_panel import draw_panel, mark_unreached, panels
+from reports.series_panel import draw_panel, mark_unreached
 from reports.style import INK, MUTED, WIDTH, error_colours, new_figure, place, save, style
 from reports.wind_mark import draw_wind
 from tracking.outcome import Outcome

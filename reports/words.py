@@ -8,12 +8,12 @@ from reports.deciding import deciding
 from reports.quantity import pair, reading_unit, text
 from sim.wind import Wind
 from tracking.feasibility import Slope, Turn
+from tracking.loop import COMPLETED
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 
 GROUND = "ground"
-COMPLETED = "completed"
 _KMH = 3.6  # [km/h per m/s]
 # Metrics that a turn too tight cannot explain, by the start of their name.
 _NOT_BY_TURNS = ("speed_", "range_", "separation_", "path_", "stall_")

@@ -1,0 +1,75 @@
+import dataclasses
+import re
+
+import numpy as np
+import pytest
+
+from planners.errors import InputError
+from reports.pdf import write_pdf
+from reports.pdf_case import case_data
+from tracking.feasibility import Feasibility
+from tracking.verdict import Verdict
+
+LONG = "a-very-long-case-name_with_underscores/and.dots-" * 4 + "x" * 120
+
+
+def pages(file):
+    return len(re.findall(rb"/Type\s*/Page\b", file.read_bytes()))
+
+
+def test_same_outcomes_same_bytes(route, yard, tmp_path):
+    for name in ("a.pdf", "b.pdf"):
+        write_pdf([route, yard], tmp_path / name, "Two cases", commands=["trackworthy track a.plan"])
+    first = (tmp_path / "a.pdf").read_bytes()
+    assert first.startswith(b"%PDF-")
+    assert first == (tmp_path / "b.pdf").read_bytes()
+    assert b"CreationDate" not in first
+    assert len(list(tmp_path.iterdir())) == 2
+    assert pages(tmp_path / "a.pdf") >= 3
+
+
+def test_text_is_never_markup(yard, tmp_path):
+    evil = '#panic("x") $math$ *bold* [a] @ref <label> \\ `raw` // /* " \u0000 \u2028 {'
+    named = dataclasses.replace(yard, name=evil, vehicle=evil, controller=evil, notes=(evil,))
+    write_pdf([named], tmp_path / "a.pdf", evil, subtitle=evil, commands=[evil])
+
+
+def test_long_names(route, tmp_path):
+    named = dataclasses.replace(route, name=LONG, vehicle=LONG, controller=LONG, notes=(LONG,))
+    write_pdf([named] * 2, tmp_path / "a.pdf", LONG, subtitle=LONG, commands=[LONG])
+
+
+def test_no_case(tmp_path):
+    write_pdf([], tmp_path / "a.pdf", "Nothing")
+    assert pages(tmp_path / "a.pdf") == 1
+
+
+def test_bare_outcome(yard, tmp_path):
+    bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), (), ()))
+    write_pdf([bare], tmp_path / "a.pdf", "Bare")
+
+
+def test_a_long_track_stays_small(route, tmp_path):
+    rows = np.linspace(0, len(route.track) - 1, 20_000).astype(int)
+    data = np.array(route.track.data[rows])
+    noise = np.random.default_rng(1).normal(0.0, 20.0, 20_000)
+    data[:, route.track.columns.index("cross_track")] = noise
+    long = dataclasses.replace(route, track=dataclasses.replace(route.track, data=data))
+    write_pdf([long], tmp_path / "a.pdf", "Long")
+    assert (tmp_path / "a.pdf").stat().st_size < 1_000_000
+
+
+def test_a_missing_folder(yard, tmp_path):
+    with pytest.raises(InputError, match="does not exist"):
+        write_pdf([yard], tmp_path / "no" / "a.pdf", "x")
+
+
+def test_the_worst_turns_are_listed_along_the_path(route):
+    turns = tuple(
+        dataclasses.replace(route.feasibility.tight[0], s=float(1000 - i), available=float(i)) for i in range(50)
+    )
+    told = case_data(dataclasses.replace(route, feasibility=Feasibility(turns, turns, ())), "f.svg", "")
+    assert told["tight_count"] == 50
+    assert len(told["tight"]) == 12
+    assert told["tight"][0]["available"] == "11 m"
+    assert told["tight"][-1]["available"] == "0 m"
