@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
@@ -37,6 +38,15 @@ class Turn:
 
 
 @dataclass(frozen=True, slots=True)
+class Stretch:
+    """Neighbouring turns that are all too tight, from `s` to `s_end` [m], one of them the `worst`."""
+
+    s: float
+    s_end: float
+    worst: Turn
+
+
+@dataclass(frozen=True, slots=True)
 class Slope:
     """A stretch from `s` to `s_end` [m] with mean `gradient` beyond the vehicle's `limit`; descents are negative."""
 
@@ -48,11 +58,21 @@ class Slope:
 
 @dataclass(frozen=True, slots=True)
 class Feasibility:
-    """Every turn of the simplified path, and the ones and the stretches that the vehicle cannot follow."""
+    """Every turn of the simplified path, and what the vehicle cannot follow: turns too `tight`, slopes too `steep`."""
 
     turns: tuple[Turn, ...]
-    tight: tuple[Turn, ...]
     steep: tuple[Slope, ...]
+
+    @property
+    def tight(self) -> tuple[Turn, ...]:
+        """The turns with a negative margin."""
+        return tuple(turn for turn in self.turns if turn.margin < 0.0)
+
+    @property
+    def stretches(self) -> tuple[Stretch, ...]:
+        """The turns too tight, those that follow each other directly as one."""
+        runs = (list(group) for tight, group in groupby(self.turns, lambda turn: turn.margin < 0.0) if tight)
+        return tuple(Stretch(run[0].s, run[-1].s, min(run, key=lambda turn: turn.margin)) for run in runs)
 
     @property
     def tightest(self) -> Turn | None:
@@ -70,7 +90,7 @@ def assess(path: Path, limits: Limits, speed: float, wind: Wind, corridor: float
         )
         for vertex, angle, radius in zip(vertices, angles, radii, strict=True)
     )  # fmt: skip
-    return Feasibility(turns, tuple(turn for turn in turns if turn.margin < 0.0), _steep(path, limits))
+    return Feasibility(turns, _steep(path, limits))
 
 
 def required_radius(limits: Limits, speed: float, wind: Wind, course: float, angle: float) -> float:

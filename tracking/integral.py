@@ -10,8 +10,8 @@ class Integral:
     """Integral of the cross-track error as a curvature [1/m].
 
     Its gain is a fraction of the stability bound of the slowest controller, so that it may be added to each. Anti-windup:
-    the error counts up to the corridor only, the term stays within half of the vehicle's curvature, and it stands still
-    while the vehicle is saturated.
+    the error counts up to the corridor only, the term stays within the vehicle's own curvature, and it stands still while
+    the vehicle is saturated.
     """
 
     def __init__(self, limits: Limits, corridor: float, dt: float) -> None:
@@ -24,6 +24,6 @@ class Integral:
         if not saturated:
             e = max(-self._corridor, min(self._corridor, cross_track))
             self._sum += e / ground_speed * self._dt
-            most = 0.5 / self._limits.turn_radius(ground_speed) * ground_speed / self._gain
+            most = 1.0 / self._limits.turn_radius(ground_speed) * ground_speed / self._gain
             self._sum = max(-most, min(most, self._sum))
         return -self._gain * self._sum / ground_speed

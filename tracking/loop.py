@@ -14,6 +14,7 @@ from tracking.controllers.controller import Controller
 from tracking.integral import Integral
 from tracking.track import GUIDANCE_COLUMNS, STATE_COLUMNS, Track
 
+SLOWEST = 0.1  # [m/s] below which a curvature means nothing, and the last command stands
 COMPLETED, OUT_OF_TIME, LOST = "completed", "time budget spent", "corridor lost for good"
 
 
@@ -52,9 +53,9 @@ def follow(
     rows = array("d")
     curvature, ended, index = 0.0, "", 0
     while True:
-        if index % held_periods == 0:
+        if index % held_periods == 0 and state.ground_speed >= SLOWEST:
             curvature = controller.curvature(state, path, at)
-            curvature += integral.curvature(at.cross_track, max(state.ground_speed, 1.0), state.saturated)
+            curvature += integral.curvature(at.cross_track, state.ground_speed, state.saturated)
         target = height(at.s) if height else altitude
         rows.extend(_row(state, at, curvature, speed, target))
         if ended := _ended(state, at, path, budget, gained, circle):

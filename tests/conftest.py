@@ -1,0 +1,5 @@
+from hypothesis import settings
+
+# Compiling a kernel at its first call is not a slow test; the same examples every time, so that CI does not flicker
+settings.register_profile("trackworthy", deadline=None, derandomize=True)
+settings.load_profile("trackworthy")
