@@ -12,7 +12,7 @@ import msgspec
 from campaigns.case import Case
 from planners.errors import InputError
 from planners.typed_toml import read_toml
-from tracking.verdict import TRACKWORTHY
+from tracking.verdict import TRACKWORTHY, Expectation
 
 CAMPAIGNS_FOLDER = Path(__file__).parent
 BUILT_IN_CAMPAIGNS = ("quickstart",)
@@ -35,7 +35,7 @@ class Block(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     corners: Literal["as-drawn", "fly-by"] = "as-drawn"
     steering_hz: float = 20.0
     require: tuple[str, ...] = ()
-    expect: Literal["trackworthy", "not-trackworthy"] = TRACKWORTHY
+    expect: Expectation = TRACKWORTHY
 
 
 class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -23,7 +23,7 @@ from sim.vehicles import make_vehicle
 from sim.wind import Wind, parse_wind
 from tracking.feasibility import required_radius
 from tracking.trial import Trial
-from tracking.verdict import TRACKWORTHY
+from tracking.verdict import TRACKWORTHY, Expectation
 
 DEFAULT_ALTITUDE = 1000.0  # [m] where neither the path nor the user gives one
 FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
@@ -45,7 +45,7 @@ class Case(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     corners: Literal["as-drawn", "fly-by"] = "as-drawn"
     steering_hz: float = 20.0
     require: tuple[str, ...] = ()
-    expect: Literal["trackworthy", "not-trackworthy"] = TRACKWORTHY
+    expect: Expectation = TRACKWORTHY
     seed: int = 0
 
 
@@ -58,7 +58,10 @@ class Prepared:
 
 
 def prepare(case: Case, folder: FilePath) -> Prepared:
-    """Read what `case` names, relative to `folder`, and put it together. Raises `InputError` with the place of a fault."""
+    """Read what `case` names, relative to `folder`, and put it together.
+
+    Raises `InputError` with the place of a fault.
+    """
     limits = make_vehicle(case.vehicle, case.steering_hz).limits
     wind = parse_wind(case.wind) if case.wind else Wind()
     file = files.read(folder / case.path)
@@ -117,9 +120,7 @@ def _metres(text: str | float | None, place: str) -> float | None:
     return value * (1000.0 if unit == "km" else 1.0)
 
 
-def _rounded(
-    path: Path, limits: Limits, speed: float, wind: Wind, corridor: float
-) -> tuple[Path, tuple[Rounded, ...]]:
+def _rounded(path: Path, limits: Limits, speed: float, wind: Wind, corridor: float) -> tuple[Path, tuple[Rounded, ...]]:
     def radius(course: float, angle: float) -> float:
         required = FLY_BY_RESERVE * required_radius(limits, speed, wind, course, angle)
         if not np.isfinite(required):

@@ -11,13 +11,12 @@ import numpy as np
 from planners.kernel import Floats
 from planners.path import Path
 
-
 FLY_BY_MOST = math.radians(120.0)  # ICAO Doc 8168, I-2-2: sharper turns are not fly-by
 
 
 @dataclass(frozen=True, slots=True)
 class Rounded:
-    """A corner at `s` [m] of the original path, rounded with `radius` of a `wanted` one, which `cut` it by that much [m].
+    """A corner at `s` [m] of the original path, rounded with `radius` [m] of a `wanted` one and `cut` by that much [m].
 
     A `radius` of 0 is a corner left as drawn because it is too sharp to fly by.
     """
@@ -35,7 +34,8 @@ def fly_by(path: Path, radius: Callable[[float, float], float], deviation: float
     `radius(course, angle)` [m] is what the vehicle needs for a turn by `angle` from `course` [rad]. An arc of radius R
     through a turn d starts R tan(d / 2) before the corner and cuts it by R (1 / cos(d / 2) - 1) (ICAO Doc 8168, fly-by
     waypoint). Where neighbouring arcs do not fit on a leg, both give way in proportion. Corners so flat that their arc
-    would stay within `deviation` [m] are left alone; arcs are drawn within it too. Corners beyond 120 deg stay as drawn.
+    would stay within `deviation` [m] are left alone; arcs are drawn within it too. Corners beyond 120 deg stay as
+    drawn.
     """
     turns = path.turns[1:-1]
     half = np.abs(turns) / 2

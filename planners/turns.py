@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from planners.kernel import Floats, Ints
@@ -36,7 +38,5 @@ def _gradual(path: Path, kept: Ints, turns: Floats) -> np.ndarray[tuple[int], np
     """Whether no single point between the middles of the adjoining legs takes 0.9 of a vertex's turn."""
     middles = (path.s[kept[:-1]] + path.s[kept[1:]]) / 2
     bounds = np.searchsorted(path.s, middles)
-    sharpest = np.array(
-        [np.abs(path.turns[a:b]).max(initial=0.0) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
-    )
+    sharpest = np.array([np.abs(path.turns[a:b]).max(initial=0.0) for a, b in pairwise(bounds)])
     return np.asarray(sharpest < 0.9 * np.abs(turns))

@@ -70,14 +70,14 @@ class Throttle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class OwnAutopilot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The model's own autopilot, which ours replaces: its JSBSim `systems`, and the `outputs` its flight controls read."""
+    """The model's own autopilot, which ours replaces: its JSBSim `systems`, and the `outputs` flight controls read."""
 
     systems: tuple[str, ...] = ()
     outputs: tuple[str, ...] = ()
 
 
 class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m] and airspeed [m/s] errors."""
+    """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m], airspeed error [m/s]."""
 
     bank_max: float
     load_factor_max: float

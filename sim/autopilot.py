@@ -1,8 +1,8 @@
 """The autopilot of a fixed wing: bank, pitch and throttle for what guidance commands.
 
-Textbook successive loop closure (Stevens, Lewis and Johnson 2016, ch. 4; Beard and McLain 2012, ch. 6). The attitude loops
-run inside JSBSim at every step (attitude_hold.xml); altitude and airspeed run here, once a control period. JSBSim's
-signs hold in here: right wing down and nose up are positive.
+Textbook successive loop closure (Stevens, Lewis and Johnson 2016, ch. 4; Beard and McLain 2012, ch. 6). The attitude
+loops run inside JSBSim at every step (attitude_hold.xml); altitude and airspeed run here, once a control period.
+JSBSim's signs hold in here: right wing down and nose up are positive.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from sim.jsbsim_model import property_node
 
 
 class Autopilot:
-    """Flies bank [rad, right positive], airspeed and altitude; starts from a trimmed `fdm`, renewed every `period` [s]."""
+    """Flies bank [rad, right positive], airspeed and altitude from a trimmed `fdm` on, renewed every `period` [s]."""
 
     def __init__(self, aircraft: Aircraft, fdm: jsbsim.FGFDMExec, period: float) -> None:
         roll, yaw, pitch = aircraft.roll, aircraft.yaw, aircraft.pitch
@@ -50,7 +50,7 @@ class Autopilot:
         self, bank: float, bank_now: float, airspeed: float, speed_error: float, climb_rate: float,
         altitude_error: float, slope_rate: float,
     ) -> None:  # fmt: skip
-        """Renew the commands for one period; errors are commanded minus actual, `slope_rate` [m/s] is the path's own climb.
+        """Renew the commands for one period; errors are commanded minus actual, `slope_rate` [m/s] is of the path.
 
         The bank command moves at the roll rate limit. Climb rate over airspeed is the flight path angle, so its error
         is a pitch; a turn needs more lift and more power, which are fed forward.

@@ -94,7 +94,10 @@ class FixedWing:
             nz,
             alpha,
             beta,
-            gravity, above_ground, on_wheels) = [read() for read in self._nodes]
+            gravity,
+            above_ground,
+            on_wheels,
+        ) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
         ground_speed = math.hypot(east, north) * METRES_PER_FOOT
         # Unwrapped, so that a turn over the period is a difference

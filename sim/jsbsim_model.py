@@ -55,10 +55,10 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
 
 @lru_cache
 def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...]) -> Path:
-    """An aircraft folder, for this process, in which the aircraft of `file` has our attitude loops as its autopilot.
+    """An aircraft folder, for this process, whose aircraft, that of `file`, has our attitude loops as its autopilot.
 
-    The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight controls
-    read from them, which stay 0 as they are when it is switched off.
+    The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight
+    controls read from them, which stay 0 as they are when it is switched off.
     """
     try:
         model = ET.parse(file)

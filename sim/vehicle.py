@@ -70,7 +70,7 @@ class Conditions:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A limit that a vehicle's operation sets by default: `metric` `comparison` `limit` [SI], and the `source` of it."""
+    """A limit that a vehicle's operation sets by default: `metric` `comparison` `limit` [SI], and its `source`."""
 
     metric: str
     comparison: str
@@ -84,9 +84,10 @@ class Limits:
 
     `kind` is "fixed-wing" or "ground". `speed` is the default, `speed_min` and `speed_max` what it accepts [m/s].
     `lateral_acceleration` [m/s^2] bounds turning: g tan(bank limit), or the ground vehicle's requirement.
-    `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a commanded to
-    an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it, `climb_gradient` and
-    `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width, `footprint` the body, `bounds` what else must hold for a run to be good.
+    `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
+    commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
+    `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
+    `footprint` the body, `bounds` what else must hold for a run to be good.
     """
 
     kind: str

@@ -9,9 +9,9 @@ from tracking.controllers.controller import delay
 class Integral:
     """Integral of the cross-track error as a curvature [1/m].
 
-    Its gain is a fraction of the stability bound of the slowest controller, so that it may be added to each. Anti-windup:
-    the error counts up to the corridor only, the term stays within the vehicle's own curvature, and it stands still while
-    the vehicle is saturated.
+    Its gain is a fraction of the stability bound of the slowest controller, so that it may be added to each. Anti-
+    windup: the error counts up to the corridor only, the term stays within the vehicle's own curvature, and it
+    stands still while the vehicle is saturated.
     """
 
     def __init__(self, limits: Limits, corridor: float, dt: float) -> None:

@@ -31,9 +31,9 @@ def follow(
     """Put `vehicle` on the start of `path` and let `controller` follow it; returns the track.
 
     `speed` [m/s] and `altitude` [m] are commanded throughout; the altitude is the path's own where it has heights.
-    `corridor` [m] is the half-width. The run ends when the path is completed, when the vehicle reports a fault, when the
-    time budget is spent (twice the path's time in this wind, and a minute), or when the corridor is lost for good: no
-    way gained along the path during two full circles of the vehicle.
+    `corridor` [m] is the half-width. The run ends when the path is completed, when the vehicle reports a fault,
+    when the time budget is spent (twice the path's time in this wind, and a minute), or when the corridor is lost
+    for good: no way gained along the path during two full circles of the vehicle.
     """
     path = path.with_tolerance(0.1 * corridor)
     limits, period = vehicle.limits, vehicle.period

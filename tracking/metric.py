@@ -13,8 +13,9 @@ SCHEMA_VERSION = 1  # of the metric definitions: a changed definition is a new v
 class Metric:
     """A measured quantity in SI units (angles in radians).
 
-    `better` is "lower", "higher" or "neither". `s` [m] and `t` [s] tell where along the path and when it was worst (NaN
-    where it has no place). A metric that could not be measured has `valid` False, a NaN value, and its reason in `note`.
+    `better` is "lower", "higher" or "neither". `s` [m] and `t` [s] tell where along the path and when it was worst
+    (NaN where it has no place). A metric that could not be measured has `valid` False, a NaN value, and its reason
+    in `note`.
     """
 
     name: str

@@ -88,6 +88,6 @@ def _check_start(trial: Trial, vehicle: Vehicle) -> None:
     if clearance < 0.0:
         raise InputError(
             trial.path.name,
-            f"its start ({x:.1f}, {y:.1f}) m puts the {vehicle.name} {-clearance:.2f} m into an obstacle or over the edge",
+            f"its start ({x:.1f}, {y:.1f}) m has the {vehicle.name} {-clearance:.2f} m in an obstacle or over the edge",
             "start the path farther in",
         )

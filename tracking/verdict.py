@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from tracking.metric import Margin, Metric, Requirement
 
-TRACKWORTHY, NOT_TRACKWORTHY = "trackworthy", "not-trackworthy"
+Expectation = Literal["trackworthy", "not-trackworthy"]
+TRACKWORTHY: Expectation = "trackworthy"
+NOT_TRACKWORTHY: Expectation = "not-trackworthy"
 
 
 @dataclass(frozen=True, slots=True)

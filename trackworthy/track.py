@@ -30,7 +30,13 @@ def add_parser(commands: Any) -> None:
     add("--require", action="append", default=[], metavar="LIMIT", help="e.g. 'cross_track_p95<=4'; repeatable")
     add("--expect", choices=("trackworthy", "not-trackworthy"), default="trackworthy")
     add("--picture", metavar="FILE.png", help="where to save the picture (default: PATH's name and the vehicle's)")
-    add("--export", action="append", default=[], metavar="FILE", help="flown track: .csv .kml .geojson .tlog; repeatable")
+    add(
+        "--export",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="flown track: .csv .kml .geojson .tlog; repeatable",
+    )
     add("--json", action="store_true", help="print one JSON object on standard output and nothing else")
 
 

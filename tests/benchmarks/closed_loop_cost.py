@@ -1,24 +1,27 @@
 """What closing the loop costs: a trial against its bare simulator over the same number of steps, in CPU time.
 
-Run as `python tests/benchmarks/closed_loop_cost.py`; prints the ratio for a c172x (10 km) and a truck (400 m). Both
+Run as `python tests/benchmarks/closed_loop_cost.py`; prints the ratio for a c172x (10 km) and a truck (500 m). Both
 sides alternate, several times, and each side's least time counts: whatever else the machine does only adds.
 """
 
 from __future__ import annotations
 
-import math
 import os
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path as FilePath
 
 os.environ.setdefault("JSBSIM_DEBUG", "0")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # waiting BLAS threads would count as CPU time
 
 import jsbsim
-import numpy as np
 from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 
+sys.path.insert(0, str(FilePath(__file__).parents[1]))
+
 from planners.path import Path
+from sample_paths import aircraft_weave, road_weave
 from sim.aircraft_file import load_aircraft
 from sim.fixed_wing import STEP, STEPS, FixedWing
 from sim.jsbsim_model import start_in_equilibrium
@@ -30,14 +33,6 @@ from tracking.loop import follow
 
 REPEATS = 9
 AIRSPEED, ALTITUDE = 55.0, 1000.0
-
-
-def sine_path(length: float, spacing: float, radius: float, wavelength: float) -> Path:
-    """A path whose curvature is a sine of `wavelength` [m] with a smallest radius of `radius` [m]."""
-    s = np.arange(0.0, length + spacing, spacing)
-    heading = wavelength / (2 * math.pi * radius) * (1.0 - np.cos(2 * math.pi * s / wavelength))
-    x, y = np.cumsum(np.cos(heading)) * spacing, np.cumsum(np.sin(heading)) * spacing
-    return Path(np.column_stack([x, y]))
 
 
 def bare_jsbsim(steps: int) -> float:
@@ -80,10 +75,9 @@ def report(
 
 def main() -> None:
     """Both vehicles."""
-    radius = AIRSPEED**2 / (9.81 * math.tan(math.radians(30.0)))
-    air = sine_path(10_000.0, 20.0, radius, 3300.0)
+    air = aircraft_weave()
     report("c172x", air, FixedWing(load_aircraft("c172x")), AIRSPEED, bare_jsbsim, STEPS)
-    road = sine_path(400.0, 1.0, 40.0, 125.0)
+    road = road_weave(12.5)
     report("truck", road, Truck(), 12.5, bare_highway_env, SUBSTEPS)
 
 

@@ -126,10 +126,7 @@ def test_a_rectangle_and_cells_that_are_squares(seed, share, pose, body):
     if not blocked.any():
         assert value == math.inf
         return
-    cells = [
-        shapely.box(2.5 * c - 10.0, 2.5 * r - 7.5, 2.5 * c - 7.5, 2.5 * r - 5.0)
-        for r, c in np.argwhere(blocked)
-    ]
+    cells = [shapely.box(2.5 * c - 10.0, 2.5 * r - 7.5, 2.5 * c - 7.5, 2.5 * r - 5.0) for r, c in np.argwhere(blocked)]
     union, centre = shapely.union_all(cells), shapely.Point(centre_of(pose, body))
     depth = union.boundary.distance(centre) if union.contains(centre) else 0.0
     assert_defined(value, pose, body, union.distance, depth)
@@ -170,9 +167,7 @@ def test_a_closed_edge_bounds_the_body_and_an_open_one_its_reference_point():
 
 def test_the_vehicle_must_stay_in_every_keep_in_area():
     area = Map(keep_in=(SQUARE, np.add(SQUARE, (6.0, 0.0))))
-    assert area.clearance(np.array([[8.0, 5.0, 0.0], [3.0, 5.0, 0.0]]), Disc(1.0)) == pytest.approx(
-        [1.0, -4.0]
-    )
+    assert area.clearance(np.array([[8.0, 5.0, 0.0], [3.0, 5.0, 0.0]]), Disc(1.0)) == pytest.approx([1.0, -4.0])
 
 
 def test_the_obstacle_a_pose_is_deepest_in_decides():

@@ -95,6 +95,4 @@ def test_the_merged_map_measures_both():
     )
     assert merged.frame == HERE
     x, y = merged.circles[0].x, merged.circles[0].y
-    assert merged.clearance(np.array([[x, y, 0.0], [-1.0, 2.0, 0.0]]), Disc(0.0)) == pytest.approx(
-        [-1.0, 1.0]
-    )
+    assert merged.clearance(np.array([[x, y, 0.0], [-1.0, 2.0, 0.0]]), Disc(0.0)) == pytest.approx([-1.0, 1.0])

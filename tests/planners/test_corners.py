@@ -2,10 +2,10 @@ import math
 
 import numpy as np
 import pytest
-from sample_paths import right_angle
 
 from planners.corners import fly_by
 from planners.path import Path
+from sample_paths import right_angle
 
 
 def constant(radius):

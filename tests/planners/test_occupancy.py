@@ -60,10 +60,7 @@ def test_circles_are_not_polygons(circle, cell):
     near = shapely.distance(cells(grid), centre)
     assert (grid.blocked == (near < circle.radius - 1e-9)).all()
     grid = occupancy(Map(keep_in_circles=(circle,)), cell, BOUNDS)
-    far = [
-        [max(centre.distance(shapely.Point(p)) for p in box.exterior.coords) for box in row]
-        for row in cells(grid)
-    ]
+    far = [[max(centre.distance(shapely.Point(p)) for p in box.exterior.coords) for box in row] for row in cells(grid)]
     assert (grid.blocked == (np.array(far) > circle.radius + 1e-9)).all()
 
 
@@ -99,9 +96,7 @@ def test_cells_beyond_the_bounds_are_blocked():
 
 
 def test_the_grid_spans_what_the_map_holds():
-    area = Map(
-        polygons=(SQUARE,), circles=(Circle(10.0, 0.0, 1.0),), raster=Raster(np.ones((2, 3)), 2.0, x=-1.0)
-    )
+    area = Map(polygons=(SQUARE,), circles=(Circle(10.0, 0.0, 1.0),), raster=Raster(np.ones((2, 3)), 2.0, x=-1.0))
     assert extent(area) == (-1.0, -1.0, 11.0, 4.0)
     grid = occupancy(area, 0.5)
     assert (grid.blocked.shape, grid.x, grid.y) == ((10, 24), -1.0, -1.0)

@@ -1,14 +1,15 @@
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from sample_paths import circle, right_angle
 
 from planners.errors import InputError
 from planners.path import Path
+from sample_paths import circle, right_angle
 
 COORDINATE = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 2))
 POINTS = arrays(float, st.tuples(st.integers(2, 12), st.just(2)), elements=COORDINATE).filter(
@@ -129,7 +130,7 @@ def test_simplifying_stays_within_the_tolerance(points, tolerance):
     kept = path.simplify(tolerance)
     assert kept[0] == 0
     assert kept[-1] == len(points) - 1
-    for a, b in zip(kept[:-1], kept[1:], strict=True):
+    for a, b in pairwise(kept):
         if (points[a] != points[b]).any():
             inner = Path(points[[a, b]])
             for x, y in points[a : b + 1]:

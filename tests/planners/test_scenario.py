@@ -76,9 +76,7 @@ def test_the_no_fly_map_of_paper_000():
     scenario = load_scenario("nofly-1000x660")
     assert scenario.map.bounds == (0.0, 0.0, 20e3, 13.2e3)
     assert (len(scenario.map.polygons), len(scenario.map.circles)) == (5, 4)
-    assert np.linalg.norm(scenario.goals - scenario.starts) / scenario.unit == pytest.approx(
-        1104.54, abs=0.005
-    )
+    assert np.linalg.norm(scenario.goals - scenario.starts) / scenario.unit == pytest.approx(1104.54, abs=0.005)
     assert scenario.map.circles[0] == Circle(3600.0, 8400.0, 1400.0)
 
 

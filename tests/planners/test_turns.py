@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sample_paths import arcs, circle, right_angle
 
 from planners.path import Path
 from planners.turns import available_radii
+from sample_paths import arcs, circle, right_angle
 
 
 def test_a_corner_between_long_legs_offers_what_the_corridor_allows():

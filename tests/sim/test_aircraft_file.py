@@ -1,10 +1,10 @@
 import pytest
+
+from planners.errors import InputError
 from sim.aircraft_file import AIRCRAFT_FOLDER, ALL_AIRCRAFT, load_aircraft
 from sim.fixed_wing import FixedWing
 from sim.vehicle import Conditions, Pose
 from sim.vehicles import make_vehicle
-
-from planners.errors import InputError
 
 C172X = (AIRCRAFT_FOLDER / "c172x.toml").read_text()
 

@@ -5,14 +5,14 @@ import jsbsim
 import numpy as np
 import pytest
 from pyproj import Geod
+
+from planners.errors import InputError
+from planners.frame import Frame
 from sim.aircraft_file import load_aircraft
 from sim.fixed_wing import STEP, FixedWing
 from sim.jsbsim_model import load_model, start_in_equilibrium
 from sim.vehicle import Command, Conditions, Pose
 from sim.wind import Wind
-
-from planners.errors import InputError
-from planners.frame import Frame
 
 V = 55.0
 START = Pose(0.0, 0.0, 1000.0, 0.3)
@@ -79,9 +79,7 @@ def test_wind_displaces_an_uncontrolled_aircraft_as_the_wind_triangle_says(wind)
     seconds = 10.0
     for _ in range(round(seconds / STEP)):
         fdm.run()
-    x, y = frame.to_local(
-        np.array([fdm["position/lat-geod-deg"]]), np.array([fdm["position/long-gc-deg"]])
-    )[0]
+    x, y = frame.to_local(np.array([fdm["position/lat-geod-deg"]]), np.array([fdm["position/long-gc-deg"]]))[0]
     assert x == pytest.approx((V * math.cos(heading) + wind.east) * seconds, abs=2.0)
     assert y == pytest.approx((V * math.sin(heading) + wind.north) * seconds, abs=2.0)
     assert math.atan2(y, x) == pytest.approx(START.course, abs=5e-3)
@@ -152,7 +150,8 @@ def test_flying_into_the_ground_is_a_fault():
 
 
 @pytest.mark.parametrize(
-    ("speed", "message"), [(15.0, "below its stall speed"), (30.0, "too close to its stall speed"), (90.0, "cannot hold")]
+    ("speed", "message"),
+    [(15.0, "below its stall speed"), (30.0, "too close to its stall speed"), (90.0, "cannot hold")],
 )
 def test_a_speed_outside_the_envelope_is_refused(speed, message):
     with pytest.raises(InputError, match=message):

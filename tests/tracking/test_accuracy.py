@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from sample_paths import aircraft_weave, road_weave
 from sim.vehicles import make_vehicle
 from sim.wind import Wind

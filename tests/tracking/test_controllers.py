@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
+from planners.errors import InputError
+from planners.path import Path
 from sample_paths import circle, road_weave
 from sim.vehicle import State
 from sim.vehicles import ALL_VEHICLES, make_vehicle
 from tracking.controllers import ALL_CONTROLLERS, make_controller
-
-from planners.errors import InputError
-from planners.path import Path
 
 EAST = Path([[0.0, 0.0], [20_000.0, 0.0]]).with_tolerance(1.0)
 

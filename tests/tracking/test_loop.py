@@ -2,14 +2,14 @@ import math
 
 import numpy as np
 import pytest
+
+from planners.path import Path
 from sample_paths import circle, road_weave
 from sim.truck import Truck
 from sim.vehicle import Command, Conditions, State
 from sim.vehicles import make_vehicle
 from tracking.controllers import make_controller
 from tracking.loop import COMPLETED, LOST, OUT_OF_TIME, follow
-
-from planners.path import Path
 
 STRAIGHT = Path([[0.0, 0.0], [100.0, 0.0]])
 
@@ -72,9 +72,7 @@ def test_it_ends_when_the_corridor_is_lost_for_good():
 
 
 def test_it_ends_when_the_time_budget_is_spent():
-    slow = follow(
-        Path([[0.0, 0.0], [3000.0, 0.0]]), Crawling(), make_controller("lqr"), 10.0, 0.0, 0.5, Conditions()
-    )
+    slow = follow(Path([[0.0, 0.0], [3000.0, 0.0]]), Crawling(), make_controller("lqr"), 10.0, 0.0, 0.5, Conditions())
     assert slow.ended == OUT_OF_TIME
     assert slow["t"][-1] == pytest.approx(2 * 300.0 + 60.0, abs=1.0)
 

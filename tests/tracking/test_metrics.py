@@ -5,6 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+
+from planners.map import Circle, Map
+from planners.path import Path
 from sim.vehicle import Conditions
 from sim.vehicles import make_vehicle
 from tracking.feasibility import assess
@@ -13,9 +16,6 @@ from tracking.metrics.errors import weighted_quantile
 from tracking.metrics.frechet import frechet_distance
 from tracking.run import Run
 from tracking.track import GUIDANCE_COLUMNS, STATE_COLUMNS, Track
-
-from planners.map import Circle, Map
-from planners.path import Path
 
 TRUCK = make_vehicle("truck")
 LINE = Path([[0.0, 0.0], [100.0, 0.0]])

@@ -12,9 +12,9 @@ from tracking.controllers.controller import delay
 def point_ahead(state: State, path: Path, at: Projection, reach: float) -> tuple[float, float]:
     """Vector [m] to the path's point at a distance of about `reach` [m].
 
-    The point's arc length is exact on a straight path: the leg of the triangle of `reach` and the cross-track error. Far
-    off the path it lies 1.5 times the error ahead, an approach at 34 deg: a steeper one overshoots when the vehicle's
-    turn radius is much longer than `reach`, and can swing from side to side for ever.
+    The point's arc length is exact on a straight path: the leg of the triangle of `reach` and the cross-track
+    error. Far off the path it lies 1.5 times the error ahead, an approach at 34 deg: a steeper one overshoots when
+    the vehicle's turn radius is much longer than `reach`, and can swing from side to side for ever.
     """
     error = abs(at.cross_track)
     along = max(math.sqrt(max(reach**2 - error**2, 0.0)), 1.5 * error)

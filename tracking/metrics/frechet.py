@@ -13,7 +13,7 @@ from tracking.run import Run
 
 
 def frechet(run: Run) -> list[Metric]:
-    """Discrete Frechet distance [m], both curves resampled to at most a tenth of the corridor (Eiter and Mannila 1994)."""
+    """Discrete Frechet distance [m] (Eiter and Mannila 1994) of both curves, resampled to a tenth of the corridor."""
     spacing = 0.1 * run.corridor
     flown = np.column_stack([run.track["x"], run.track["y"]])
     moved = np.concatenate([[True], (np.diff(flown, axis=0) != 0.0).any(axis=1)])

@@ -47,7 +47,7 @@ def turn_radii(run: Run) -> list[Metric]:
 
 
 def corners(run: Run) -> list[Metric]:
-    """Largest error [m] inside (cut) and outside (overshoot) of a turn of the simplified path, over half of its legs."""
+    """Largest error [m] inside (cut) and outside (overshoot) of a turn, up to the middle of its simplified legs."""
     e, s, t = run.track["cross_track"], run.track["s"], run.track["t"]
     turns = run.feasibility.turns
     if not turns:

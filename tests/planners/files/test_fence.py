@@ -50,9 +50,7 @@ def test_no_areas_no_fence(read):
 def test_version_1_is_skipped_with_a_note(read):
     file = read("a.plan", plan(version=1, polygon=SQUARE))
     assert file.fence is None
-    assert file.notes == (
-        "geoFence: a fence of version 1 is skipped; save the plan again with a newer QGroundControl",
-    )
+    assert file.notes == ("geoFence: a fence of version 1 is skipped; save the plan again with a newer QGroundControl",)
 
 
 @pytest.mark.parametrize(

@@ -88,9 +88,7 @@ def test_written_in_the_order_of_rfc_7946(tmp_path):
 @pytest.mark.parametrize("name", ["a.geojson", "a.plan", "a.waypoints"])
 @pytest.mark.parametrize("frame", [None, Frame(4.5, 137.4, 3396190.0, 3376200.0)])
 def test_paths_off_earth_are_not_written(tmp_path, name, frame):
-    with pytest.raises(
-        InputError, match=rf"{name}: the path (has no place|is not) on Earth.*; write it as \.csv"
-    ):
+    with pytest.raises(InputError, match=rf"{name}: the path (has no place|is not) on Earth.*; write it as \.csv"):
         files.write(Path([[0.0, 0.0], [1.0, 0.0]], frame), tmp_path / name)
     files.write(Path([[0.0, 0.0], [1.0, 0.0]], frame), tmp_path / "a.csv")
     assert (tmp_path / "a.csv").read_text() == "x,y\n0.0,0.0\n1.0,0.0\n"

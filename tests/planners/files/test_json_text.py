@@ -20,9 +20,7 @@ def said(text: str) -> str:
 
 
 def test_comments_go_and_strings_stay():
-    thing = decode(
-        '{ // one\n"name": "http://a/*b*/ \\"//c", /* two\n* */ "size": /**/ 2 } // end', Thing, "a"
-    )
+    thing = decode('{ // one\n"name": "http://a/*b*/ \\"//c", /* two\n* */ "size": /**/ 2 } // end', Thing, "a")
     assert (thing.name, thing.size) == ('http://a/*b*/ "//c', 2.0)
 
 

@@ -135,9 +135,7 @@ def test_unknown_home(home_alt):
 def test_terrain(frame):
     file = take(at(47.0, frame=frame, alt=30.0), at(47.01))
     assert file.path.z.tolist() == [430.0, 100.0]
-    assert file.notes == (
-        "item 1: heights above the terrain are taken as above home, there is no terrain model",
-    )
+    assert file.notes == ("item 1: heights above the terrain are taken as above home, there is no terrain model",)
 
 
 def test_null_altitude_is_that_of_the_item_before():
@@ -186,9 +184,7 @@ def test_no_speed(speed):
     ],
 )
 def test_impossible_positions(values, said):
-    assert refusal(at(47.0), item(**{"lat": 47.01, "lon": 8.0} | values)).startswith(
-        f"a.plan: item 2: {said}"
-    )
+    assert refusal(at(47.0), item(**{"lat": 47.01, "lon": 8.0} | values)).startswith(f"a.plan: item 2: {said}")
 
 
 def test_fewer_than_two_waypoints():
@@ -204,7 +200,5 @@ def test_fewer_than_two_waypoints():
 
 
 def test_notes_are_single_lines_and_each_skipped_item_has_one():
-    file = take(
-        item(22), at(47.0), item(206), at(47.0), at(47.01, command=18), item(177), at(47.02), item(20)
-    )
+    file = take(item(22), at(47.0), item(206), at(47.0), at(47.01, command=18), item(177), at(47.02), item(20))
     assert [line.split(":")[0] for line in file.notes] == [f"item {i}" for i in (1, 3, 4, 5, 6, 8)]

@@ -102,7 +102,5 @@ def test_written_with_home_first(tmp_path):
 
 @pytest.mark.parametrize("name", ["a.waypoints", "a.plan"])
 def test_a_point_at_0_0_is_not_written(tmp_path, name):
-    with pytest.raises(
-        InputError, match=r"point 1 is at latitude 0, longitude 0: no position in a mission; write"
-    ):
+    with pytest.raises(InputError, match=r"point 1 is at latitude 0, longitude 0: no position in a mission; write"):
         files.write(Path([[0.0, 0.0], [1.0, 0.0]], Frame(0.0, 0.0)), tmp_path / name)
