@@ -82,6 +82,6 @@ def _cases(block: Block, seed: int) -> list[Case]:
     cases = []
     for values in itertools.product(*lists.values()):
         chosen = dict(zip(lists, values, strict=True))
-        name = " ".join([stem, *(str(value) for value in values)])
+        name = " ".join([stem, *(value if isinstance(value, str) else f"{value:g}" for value in values)])
         cases.append(Case(**{**settings, **chosen, "name": name, "seed": seed}))
     return cases

@@ -12,16 +12,19 @@ from planners.kernel import Floats, kernel
 def headings_and_bends(steps: Floats, s: Floats, tolerance: float) -> tuple[Floats, Floats, Floats, Floats]:
     """Segment headings, vertex turns, and the knots (s, heading) between which the heading is linear.
 
-    The turn d at a vertex is spread over half of each adjoining leg, but over no more than 8 `tolerance` / d: an arc of
+    The turn d at a vertex is spread equally before and after it, as by an arc with equal tangents. Neighbouring vertices
+    share their leg in proportion to their turns; no turn is spread over more than 8 `tolerance` / d, since an arc of
     width w that turns by d leaves its vertex by about w d / 8.
     """
     raw = np.arctan2(steps[:, 1], steps[:, 0])
     inner = (np.diff(raw) + np.pi) % (2.0 * np.pi) - np.pi
     headings = raw[0] + np.concatenate([[0.0], np.cumsum(inner)])
     turns = np.concatenate([[0.0], inner, [0.0]])
-    legs = np.diff(s)
-    reach = 4.0 * tolerance / np.maximum(np.abs(inner), 1e-9)
-    knots = np.column_stack([s[1:-1] - np.minimum(reach, legs[:-1] / 2), s[1:-1] + np.minimum(reach, legs[1:] / 2)])
+    size = np.maximum(np.abs(turns), 1e-12)
+    of_start = np.diff(s) * size[:-1] / (size[:-1] + size[1:])
+    of_end = np.diff(s) - of_start
+    reach = np.minimum(np.minimum(of_end[:-1], of_start[1:]), 4.0 * tolerance / size[1:-1])
+    knots = np.column_stack([s[1:-1] - reach, s[1:-1] + reach])
     values = np.column_stack([headings[:-1], headings[1:]])
     bend_s = np.concatenate([[0.0], knots.ravel(), [s[-1]]])
     bend_heading = np.concatenate([headings[:1], values.ravel(), headings[-1:]])
