@@ -68,7 +68,8 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     notes = [f"{case.path}: {note}" for note in file.notes]
     speed, note = _speed(case, file.speed, limits)
     notes += note
-    path = file.path
+    scenario = load_scenario(_scenario_name(case.scenario, folder)) if case.scenario else None
+    path = _in_frame_of(scenario, file.path)
     altitude = _metres(case.altitude, "altitude")
     if altitude is not None and path.z is not None:
         path = replace(path, points=path.xy)
@@ -76,7 +77,6 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     if case.corners == "fly-by":
         path, rounded = _rounded(path, limits, speed, wind, corridor)
         notes += [f"{case.path}: {_corner_note(corner)}" for corner in rounded]
-    scenario = load_scenario(_scenario_name(case.scenario, folder)) if case.scenario else None
     trial = Trial(
         name=case.name or path.name,
         path=path,
@@ -142,15 +142,24 @@ def _scenario_name(name: str, folder: FilePath) -> str:
     return str(folder / name) if FilePath(name).suffix else name
 
 
-def _obstacles(path: Path, fence: Map | None, scenario: Scenario | None) -> Map | None:
-    """The mission's fence and the scenario's map, as one in the path's frame."""
-    if scenario is None:
-        return fence
-    area = scenario.map
-    if path.frame is not None and area.frame is None:
+def _in_frame_of(scenario: Scenario | None, path: Path) -> Path:
+    """`path` in the scenario's frame, so that its map need not be moved."""
+    if scenario is None or path.frame is None:
+        return path
+    frame = scenario.map.frame
+    if frame is None:
         raise InputError(
             scenario.name, "this scenario has no place on the planet, but the path has", "give it origin = [lat, lon]"
         )
-    if path.frame is not None and area.frame != path.frame:
-        area = to_frame(area, path.frame)
-    return area if fence is None else merge(area, fence)
+    geographic = path.frame.to_geographic(path.xy)
+    xy = frame.to_local(geographic[:, 0], geographic[:, 1])
+    return replace(path, points=np.column_stack([xy, path.points[:, 2:]]), frame=frame)
+
+
+def _obstacles(path: Path, fence: Map | None, scenario: Scenario | None) -> Map | None:
+    """The mission's fence and the scenario's map as one, in the path's frame."""
+    if fence is not None and path.frame is not None:
+        fence = to_frame(fence, path.frame)
+    if scenario is None or fence is None:
+        return fence if scenario is None else scenario.map
+    return merge(scenario.map, fence)

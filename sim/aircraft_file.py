@@ -48,10 +48,12 @@ class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Altitude loop: times [s], `climb_limit` [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
+    """Altitude loop: times [s], `climb_limit` and `speed_reserve` [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
 
     altitude_time: float
     climb_limit: float
+    speed_reserve: float
+    speed_priority: float
     climb: float
     climb_integral: float
     turn_lift: float

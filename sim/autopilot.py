@@ -53,7 +53,8 @@ class Autopilot:
         """Renew the commands for one period; errors are commanded minus actual, `slope_rate` [m/s] is of the path.
 
         The bank command moves at the roll rate limit. Climb rate over airspeed is the flight path angle, so its error
-        is a pitch; a turn needs more lift and more power, which are fed forward.
+        is a pitch; a turn needs more lift and more power, which are fed forward. Airspeed comes before altitude: what
+        is missing of it beyond a reserve takes away from the climb.
         """
         most = self._bank_step
         self._bank += max(-most, min(most, bank - self._bank))
@@ -62,6 +63,7 @@ class Autopilot:
 
         gains = self._pitch_gains
         wanted = max(-gains.climb_limit, min(gains.climb_limit, altitude_error / gains.altitude_time)) + slope_rate
+        wanted -= gains.speed_priority * max(0.0, speed_error - gains.speed_reserve)
         angle = (wanted - climb_rate) / airspeed
         self._pitch_sum += gains.climb_integral * angle * self._period
         self._set_pitch(self._pitch_sum + gains.climb * angle + self._turn_pitch * turn_g)

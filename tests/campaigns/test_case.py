@@ -1,0 +1,72 @@
+import numpy as np
+import pytest
+
+from campaigns.case import Case, prepare
+from planners import files
+from planners.errors import InputError
+from planners.footprint import Disc
+from planners.frame import Frame
+from planners.path import Path
+
+PLAN = """{"fileType": "Plan", "version": 1, "groundStation": "QGroundControl",
+ "mission": {"version": 2, "firmwareType": 3, "vehicleType": 1, "plannedHomePosition": [47, 8, 400], "items": [%s]}}"""
+ITEM = (
+    '{"type": "SimpleItem", "command": %d, "frame": %d, "autoContinue": true, "doJumpId": 1, "params": [%s], '
+    '"Altitude": 500, "AltitudeMode": 1}'
+)
+
+
+def mission(tmp_path, speed):
+    items = [ITEM % (178, 2, f"0, {speed}, -1, 0, 0, 0, 0")]
+    items += [ITEM % (16, 3, f"0, 0, 0, null, {47 + 0.02 * i}, 8, 500") for i in range(3)]
+    (tmp_path / "mission.plan").write_text(PLAN % ", ".join(items))
+    return "mission.plan"
+
+
+def test_a_mission_sets_its_speed_where_the_vehicle_can_keep_it(tmp_path):
+    ready = prepare(Case(mission(tmp_path, 50), "c172x"), tmp_path)
+    assert ready.trial.speed == 50.0
+    slow = prepare(Case(mission(tmp_path, 12), "c172x"), tmp_path)
+    assert slow.trial.speed == 55.0
+    assert any("12 m/s, which is not a speed of this vehicle" in note for note in slow.notes)
+
+
+def test_the_users_speed_counts_before_the_missions(tmp_path):
+    assert prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path).trial.speed == pytest.approx(
+        51.444, abs=1e-3
+    )
+
+
+def test_an_altitude_replaces_the_paths_heights(tmp_path):
+    trial = prepare(Case(mission(tmp_path, 50), "c172x", altitude="1.2km"), tmp_path).trial
+    assert trial.path.z is None
+    assert trial.altitude == 1200.0
+
+
+def test_a_scenario_without_a_place_does_not_fit_a_geographic_path(tmp_path):
+    with pytest.raises(InputError, match="no place on the planet"):
+        prepare(Case(mission(tmp_path, 50), "c172x", scenario="nofly-1000x660"), tmp_path)
+
+
+def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
+    (tmp_path / "field.toml").write_text(
+        'name = "field"\nsize = [1000, 1000]\nstart = [10, 10]\ngoal = [900, 900]\norigin = [47.0, 8.0]\n'
+        "[[obstacle]]\ncircle = { center = [500.0, 100.0], radius = 50.0 }\n"
+    )
+    field = Frame(47.0, 8.0)
+    (lat, lon), *_ = field.to_geographic(Path([[200.0, 300.0], [900.0, 300.0]]).xy).tolist()
+    files.write(Path([[0.0, 0.0], [700.0, 0.0]], frame=Frame(lat, lon)), tmp_path / "path.csv")
+    trial = prepare(Case("path.csv", "c172x", scenario="field.toml"), tmp_path).trial
+    assert trial.path.frame == field
+    assert trial.path.points[0] == pytest.approx([200.0, 300.0], abs=1e-3)
+    assert trial.obstacles is not None
+    assert trial.obstacles.clearance(np.array([[500.0, 300.0, 0.0]]), Disc(0.0))[0] == pytest.approx(150.0)
+
+
+def test_fly_by_reports_each_corner(tmp_path):
+    files.write(Path([[0.0, 0.0], [3000.0, 0.0], [3000.0, 3000.0]]), tmp_path / "corner.csv")
+    ready = prepare(Case("corner.csv", "c172x", corners="fly-by"), tmp_path)
+    notes = [note for note in ready.notes if "rounded" in note]
+    assert len(notes) == 1
+    assert "corner at 3.00 km, 90 deg: rounded with a radius of 370 m, cut by 153.3 m" in notes[0]
+    assert len(ready.trial.path.points) > 10
