@@ -13,6 +13,8 @@ from planners.frame import Frame
 from planners.kernel import Floats, Ints
 from planners.polyline import headings_and_bends, interpolate, point_on_polyline, project_on_polyline
 
+FARTHEST = 1e9  # [m] farther than any planet's surface allows; beyond it, distances lose their millimetres
+
 
 class Projection(msgspec.Struct, frozen=True):
     """The point p* of a path nearest to a position, and the signed distance to it.
@@ -149,6 +151,8 @@ def _check(points: Floats, name: str) -> None:
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
         raise InputError(name, f"point {bad[0] + 1} is {points[bad[0]].tolist()}", "every coordinate must be finite")
+    if np.abs(points).max() > FARTHEST:
+        raise InputError(name, f"it reaches beyond {FARTHEST:g} m", "give coordinates in metres")
     same = np.flatnonzero((np.diff(points[:, :2], axis=0) == 0.0).all(axis=1))
     if len(same):
         raise InputError(name, f"points {same[0] + 1} and {same[0] + 2} are in the same place", "leave one of them out")

@@ -12,9 +12,9 @@ from planners.kernel import Floats, kernel
 def headings_and_bends(steps: Floats, s: Floats, tolerance: float) -> tuple[Floats, Floats, Floats, Floats]:
     """Segment headings, vertex turns, and the knots (s, heading) between which the heading is linear.
 
-    The turn d at a vertex is spread equally before and after it, as by an arc with equal tangents. Neighbouring vertices
-    share their leg in proportion to their turns; no turn is spread over more than 8 `tolerance` / d, since an arc of
-    width w that turns by d leaves its vertex by about w d / 8.
+    The turn d at a vertex is spread equally before and after it, as by an arc with equal tangents. Neighbouring
+    vertices share their leg in proportion to their turns; no turn is spread over more than 8 `tolerance` / d, since an
+    arc of width w that turns by d leaves its vertex by about w d / 8.
     """
     raw = np.arctan2(steps[:, 1], steps[:, 0])
     inner = (np.diff(raw) + np.pi) % (2.0 * np.pi) - np.pi

@@ -48,7 +48,7 @@ class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Altitude loop: times [s], `climb_limit` and `speed_reserve` [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
+    """Altitude loop: times [s], climb and speed [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
 
     altitude_time: float
     climb_limit: float

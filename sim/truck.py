@@ -42,6 +42,10 @@ class Truck:
     channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 
     def __init__(self, steering_hz: float = 20.0, friction: float = FRICTION) -> None:
+        if not 0.0 < steering_hz <= 1.0 / self.period:
+            raise InputError(
+                "steering-hz", f"{steering_hz:g} is not a rate to steer at", f"choose up to {1 / self.period:g}"
+            )
         self.guidance_period = max(1, round(1.0 / (steering_hz * self.period))) * self.period
         self._grip = friction * STANDARD_GRAVITY
         self.limits = Limits(

@@ -11,11 +11,10 @@ from planners.files.source import Source
 from planners.files.text import check_count
 from planners.frame import FAITHFUL_RANGE, WGS84_A, WGS84_B, Frame
 from planners.kernel import Floats
-from planners.path import Path
+from planners.path import FARTHEST, Path
 
 DEGREE_DIGITS = 10  # decimals of a degree written: 0.01 mm on the ground
 HEIGHT_DIGITS = 6  # decimals of a metre written
-FARTHEST = 1e9  # [m] no local frame is wider; beyond about 1e150 m, distances overflow
 
 Column = Sequence[float] | Floats
 Label = Callable[[int], str]

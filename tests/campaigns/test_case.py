@@ -32,9 +32,8 @@ def test_a_mission_sets_its_speed_where_the_vehicle_can_keep_it(tmp_path):
 
 
 def test_the_users_speed_counts_before_the_missions(tmp_path):
-    assert prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path).trial.speed == pytest.approx(
-        51.444, abs=1e-3
-    )
+    trial = prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path).trial
+    assert trial.speed == pytest.approx(51.444, abs=1e-3)
 
 
 def test_an_altitude_replaces_the_paths_heights(tmp_path):

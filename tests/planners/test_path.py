@@ -149,6 +149,7 @@ def test_simplifying_stays_within_the_tolerance(points, tolerance):
         ([[0.0, 0.0], [1.0, 1.0], [1.0, 1.0]], "points 2 and 3 are in the same place"),
         ([[0.0, 0.0, 1.0], [0.0, 0.0, 9.0]], "points 1 and 2 are in the same place"),
         ([[0.0], [1.0]], "rows of x, y"),
+        ([[0.0, 0.0], [1e300, 0.0]], "beyond 1e"),
     ],
 )
 def test_what_is_no_path_is_refused_in_one_line(points, message):

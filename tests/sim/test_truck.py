@@ -94,6 +94,12 @@ def test_it_may_steer_twice_a_second():
     assert Truck().guidance_period == pytest.approx(0.05)
 
 
+@pytest.mark.parametrize("rate", [0.0, -2.0, 50.0, math.nan])
+def test_a_rate_it_cannot_steer_at_is_refused(rate):
+    with pytest.raises(InputError, match="steering-hz"):
+        Truck(steering_hz=rate)
+
+
 @pytest.mark.parametrize("speed", [0.5, 50.0])
 def test_a_speed_it_cannot_drive_is_refused(speed):
     with pytest.raises(InputError, match="truck cannot drive"):
