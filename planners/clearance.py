@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import shapely
@@ -11,16 +11,26 @@ from planners.distance import rectangle_to_disc, rectangle_to_outside, segment_d
 from planners.errors import InputError
 from planners.footprint import Footprint, Rectangle
 from planners.kernel import Floats
+from planners.map import Map, Raster
 from planners.outline import Border, Outline, outline
-
-if TYPE_CHECKING:
-    from planners.map import Map, Raster
 
 CHUNK = 1024  # poses at once: a rectangle among small cells meets hundreds of edges, and each pair takes memory
 
 
 def clearance(area: Map, poses: Floats, footprint: Footprint) -> Floats:
-    """Signed clearance (N,) [m] of `poses` (N, 3); see `Map.clearance`."""
+    """Signed distance (N,) [m] of the footprint at `poses` (N, 3) to all that is forbidden.
+
+    A pose is x, y [m] and heading [rad]. Positive: the distance to the nearest obstacle, keep-in border
+    or closed edge, which the footprint clears. Negative: how deep the deepest forbidden point lies inside
+    the footprint. That is at most its inradius (the radius, or half the smaller side), reached once the
+    forbidden area covers its centre; from there the centre's own depth in the forbidden area is added. So
+    for a disc it is the signed distance of the centre minus the radius. Each obstacle counts by itself,
+    the blocked cells of the raster together as one, and the worst decides. An open edge counts as the
+    signed distance of the reference point.
+
+    Exact for polygons, circles and cells, but for rounding. Inf where nothing is forbidden, NaN for a
+    pose that is not finite. Raises `InputError` for an array of another shape.
+    """
     poses = np.asarray(poses, dtype=float)
     if poses.ndim != 2 or poses.shape[1] != 3:
         raise InputError("poses", f"rows of x, y, heading are needed, not an array of shape {poses.shape}")

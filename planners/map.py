@@ -8,9 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from planners.clearance import clearance
 from planners.errors import InputError
-from planners.footprint import Footprint
 from planners.frame import Frame
 from planners.kernel import Bools, Floats
 
@@ -83,22 +81,6 @@ class Map:
             raise InputError("edge", f"{self.edge!r} is not known", f"use {' or '.join(EDGES)}")
         if self.bounds is not None:
             object.__setattr__(self, "bounds", checked_bounds(self.bounds, "bounds"))
-
-    def clearance(self, poses: Floats, footprint: Footprint) -> Floats:
-        """Signed distance (N,) [m] of the footprint at `poses` (N, 3) to all that is forbidden.
-
-        A pose is x, y [m] and heading [rad]. Positive: the distance to the nearest obstacle, keep-in border
-        or closed edge, which the footprint clears. Negative: how deep the deepest forbidden point lies inside
-        the footprint. That is at most its inradius (the radius, or half the smaller side), reached once the
-        forbidden area covers its centre; from there the centre's own depth in the forbidden area is added. So
-        for a disc it is the signed distance of the centre minus the radius. Each obstacle counts by itself,
-        the blocked cells of the raster together as one, and the worst decides. An open edge counts as the
-        signed distance of the reference point.
-
-        Exact for polygons, circles and cells, but for rounding. Inf where nothing is forbidden, NaN for a
-        pose that is not finite. Raises `InputError` for an array of another shape.
-        """
-        return clearance(self, poses, footprint)
 
 
 def checked_polygon(ring: Floats | Iterable[Iterable[float]], place: str) -> Floats:

@@ -1,18 +1,17 @@
+from planners.map import Map, Raster
+
 """The borders of a map as indexed line segments, built once for each map."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import shapely
 
 from planners.kernel import Bools, Floats
-
-if TYPE_CHECKING:
-    from planners.map import Map, Raster
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,6 +8,7 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
+from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
 from planners.kernel import Floats
@@ -98,7 +99,7 @@ def _places(
         raise InputError(str(file), f"{one} is missing", f"add {one} = [x, y] or {many} = [[x, y], ...]")
     given = [single] if single is not None else several or []
     points = np.array(given, dtype=float) * keys.unit
-    clear = area.clearance(np.column_stack([points, np.zeros(len(points))]), Disc(0.0))
+    clear = clearance(area, np.column_stack([points, np.zeros(len(points))]), Disc(0.0))
     for i, (place, room) in enumerate(zip(given, clear, strict=True)):
         key = one if single is not None else f"{many}[{i}]"
         on_map = all(0.0 <= value <= side for value, side in zip(place, keys.size, strict=True))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from planners.clearance import clearance
 from planners.errors import InputError, TrackworthyError
 from planners.map import Map
 from planners.path import Path
@@ -84,10 +85,10 @@ def _check_start(trial: Trial, vehicle: Vehicle) -> None:
         return
     x, y = trial.path.xy[0]
     pose = np.array([[x, y, trial.path.headings[0]]])
-    clearance = float(trial.obstacles.clearance(pose, vehicle.limits.footprint)[0])
-    if clearance < 0.0:
+    clear = float(clearance(trial.obstacles, pose, vehicle.limits.footprint)[0])
+    if clear < 0.0:
         raise InputError(
             trial.path.name,
-            f"its start ({x:.1f}, {y:.1f}) m has the {vehicle.name} {-clearance:.2f} m in an obstacle or over the edge",
+            f"its start ({x:.1f}, {y:.1f}) m has the {vehicle.name} {-clear:.2f} m in an obstacle or over the edge",
             "start the path farther in",
         )

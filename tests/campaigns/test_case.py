@@ -3,6 +3,7 @@ import pytest
 
 from campaigns.case import Case, prepare
 from planners import files
+from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
 from planners.frame import Frame
@@ -59,7 +60,7 @@ def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
     assert trial.path.frame == field
     assert trial.path.points[0] == pytest.approx([200.0, 300.0], abs=1e-3)
     assert trial.obstacles is not None
-    assert trial.obstacles.clearance(np.array([[500.0, 300.0, 0.0]]), Disc(0.0))[0] == pytest.approx(150.0)
+    assert clearance(trial.obstacles, np.array([[500.0, 300.0, 0.0]]), Disc(0.0))[0] == pytest.approx(150.0)
 
 
 def test_fly_by_reports_each_corner(tmp_path):

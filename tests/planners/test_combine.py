@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from planners.clearance import clearance
 from planners.combine import merge, to_frame
 from planners.errors import InputError
 from planners.footprint import Disc, Rectangle
@@ -27,8 +28,8 @@ maps = st.sampled_from([
 @given(maps, maps, st.floats(-25.0, 25.0), st.floats(-25.0, 25.0), st.floats(-3.0, 3.0))
 def test_what_either_map_forbids_both_forbid(a, b, x, y, heading):
     pose, body = np.array([[x, y, heading]]), Rectangle(4.0, 2.0, 1.0)
-    both = merge(a, b).clearance(pose, body)
-    assert np.sign(both) == np.sign(min(a.clearance(pose, body), b.clearance(pose, body)))
+    both = clearance(merge(a, b), pose, body)
+    assert np.sign(both) == np.sign(min(clearance(a, pose, body), clearance(b, pose, body)))
 
 
 def test_a_raster_stays():
@@ -95,4 +96,4 @@ def test_the_merged_map_measures_both():
     )
     assert merged.frame == HERE
     x, y = merged.circles[0].x, merged.circles[0].y
-    assert merged.clearance(np.array([[x, y, 0.0], [-1.0, 2.0, 0.0]]), Disc(0.0)) == pytest.approx([-1.0, 1.0])
+    assert clearance(merged, np.array([[x, y, 0.0], [-1.0, 2.0, 0.0]]), Disc(0.0)) == pytest.approx([-1.0, 1.0])

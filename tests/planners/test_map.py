@@ -5,6 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
+from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
 from planners.map import Circle, Map, Raster
@@ -58,4 +59,4 @@ def test_a_map_cannot_be_changed_through_its_arrays():
 
 def test_a_map_travels_to_another_process():
     area = pickle.loads(pickle.dumps(Map(polygons=(SQUARE,), circles=(Circle(9.0, 9.0, 1.0),))))
-    assert area.clearance(np.array([[2.0, 2.0, 0.0]]), Disc(0.5)) == pytest.approx(-2.5)
+    assert clearance(area, np.array([[2.0, 2.0, 0.0]]), Disc(0.5)) == pytest.approx(-2.5)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
 from planners.map import Circle
@@ -50,7 +51,7 @@ def test_every_built_in_scenario_can_be_planned(name):
     assert all(file.is_file() for file in scenario.files)
     for points in (scenario.starts, scenario.goals):
         poses = np.column_stack([points, np.zeros(len(points))])
-        assert (scenario.map.clearance(poses, Disc(0.0)) > 0.0).all()
+        assert (clearance(scenario.map, poses, Disc(0.0)) > 0.0).all()
 
 
 @pytest.mark.parametrize(("count", "shortest"), [(15, 687.172), (25, 690.865)])

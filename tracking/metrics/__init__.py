@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tracking.metric import Metric
-from tracking.metrics.clearance import clearance
+from tracking.metrics.clearance import body_clearance
 from tracking.metrics.corridor import completion, corridor, lengths
 from tracking.metrics.errors import cross_track
 from tracking.metrics.following import altitude, angles, speed
@@ -29,7 +29,7 @@ ALL_METRICS: tuple[Callable[[Run], list[Metric]], ...] = (
     aircraft_loads,
     ground_loads,
     saturation,
-    clearance,
+    body_clearance,
 )
 
 

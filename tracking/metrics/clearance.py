@@ -14,7 +14,7 @@ from tracking.run import Run
 NAMES = {"clearance_min": "m", "incursion_count": "1", "incursion_time": "s", "incursion_depth": "m"}
 
 
-def clearance(run: Run) -> list[Metric]:
+def body_clearance(run: Run) -> list[Metric]:
     """Smallest signed distance of the footprint [m], and the incursions where it is negative."""
     if run.obstacles is None:
         note = "no map was given"
@@ -24,7 +24,7 @@ def clearance(run: Run) -> list[Metric]:
         ]
     track = run.track
     poses = np.column_stack([track["x"], track["y"], track["heading"]])
-    distance = run.obstacles.clearance(poses, run.limits.footprint)
+    distance = clearance(run.obstacles, poses, run.limits.footprint)
     worst = int(np.nanargmin(distance))
     where = run.where(worst)
     inside = distance < 0.0
