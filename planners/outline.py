@@ -1,5 +1,3 @@
-from planners.map import Map, Raster
-
 """The borders of a map as indexed line segments, built once for each map."""
 
 from __future__ import annotations
@@ -12,6 +10,7 @@ import numpy as np
 import shapely
 
 from planners.kernel import Bools, Floats
+from planners.map import Map, Raster
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from planners.clearance import clearance
 from tracking.metric import Metric
 from tracking.metrics.corridor import excursions
 from tracking.metrics.errors import centred_weights
