@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -11,7 +12,7 @@ import msgspec
 
 from campaigns.case import Case
 from planners.errors import InputError
-from planners.typed_toml import read_toml
+from planners.typed_toml import read_toml, suggestion
 from tracking.verdict import TRACKWORTHY, Expectation
 
 CAMPAIGNS_FOLDER = Path(__file__).parent
@@ -57,8 +58,11 @@ class Campaign:
     folder: Path
 
 
-def load_campaign(name_or_file: str) -> Campaign:
-    """A built-in campaign by name, or one from a TOML file; raises `InputError` naming file and key."""
+def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
+    """A built-in campaign by name, or one from a TOML file; with the cases called as in `only`, or all.
+
+    Raises `InputError` naming file and key.
+    """
     built_in = name_or_file in BUILT_IN_CAMPAIGNS
     file = CAMPAIGNS_FOLDER / name_or_file / "campaign.toml" if built_in else Path(name_or_file)
     if not built_in and not file.suffix:
@@ -71,7 +75,10 @@ def load_campaign(name_or_file: str) -> Campaign:
     names = [case.name for case in cases]
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(str(file), f"two cases are called {twice!r}", "give one of their blocks another name")
-    return Campaign(content.name, content.title or content.name, cases, file.parent)
+    if unknown := next((name for name in only if name not in names), None):
+        raise InputError(str(file), f"it has no case {unknown!r}", suggestion(unknown, names))
+    chosen = tuple(case for case in cases if not only or case.name in only)
+    return Campaign(content.name, content.title or content.name, chosen, file.parent)
 
 
 def _cases(block: Block, seed: int) -> list[Case]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,49 +21,61 @@ def add_parser(commands: Any) -> None:
     parser.set_defaults(main=main)
     add = parser.add_argument
     add("campaign", nargs="?", default="quickstart", metavar="CAMPAIGN", help="a TOML file or a built-in name")
+    add("--case", action="append", default=[], metavar="NAME", help="run this case only; repeatable")
     add("-o", "--output", metavar="DIR", help="folder of the results (default: runs/ and the campaign's name)")
 
 
 def main(args: argparse.Namespace) -> int:
     """Run every case, write the report, and answer with the exit code."""
     from campaigns.campaign import load_campaign
-    from campaigns.runner import run_cases
+    from campaigns.runner import prepare_cases, run_cases
     from reports.progress import watched
-    from trackworthy.streams import chatter_to_stderr
+    from reports.slug import slug
+    from trackworthy.streams import chatter_to_stderr, tell
 
-    campaign = load_campaign(args.campaign)
-    folder = Path(args.output or Path("runs") / campaign.name)
+    campaign = load_campaign(args.campaign, args.case)
+    name = "-".join([slug(campaign.name), *map(slug, args.case)])
+    folder = Path(args.output or Path("runs") / name)
+    prepared = prepare_cases(campaign)
+    tell(dict.fromkeys(note for ready in prepared for note in ready.notes))
     folder.mkdir(parents=True, exist_ok=True)
     with chatter_to_stderr():
-        results = list(watched(run_cases(campaign), len(campaign.cases)))
-    return _report(campaign, results, folder)
+        results = list(watched(run_cases(campaign, prepared), len(prepared)))
+    _write(campaign, results, folder, args.campaign)
+    return _answer(results, folder)
 
 
-def _report(campaign: Campaign, results: list[Result], folder: Path) -> int:
-    from planners.errors import TrackworthyError
+def _write(campaign: Campaign, results: list[Result], folder: Path, called: str) -> None:
+    """The report, its figures, and what they show as JSON."""
     from reports.files import atomic
     from reports.json_result import to_json
     from reports.pdf import write_pdf
     from reports.slug import slug
     from reports.track_figure import save_track_figure
-    from reports.words import sentence
 
     outcomes = [result.outcome for result in results if result.outcome]
-    failures = [result for result in results if result.error]
     (folder / "figures").mkdir(exist_ok=True)
-    for outcome in outcomes:
-        save_track_figure(outcome, folder / "figures" / f"{slug(outcome.name)}.png")
+    for number, outcome in enumerate(outcomes, start=1):
+        save_track_figure(outcome, folder / "figures" / f"{number}-{slug(outcome.name)}.png")
     with atomic(folder / "summary.json") as temporary:
         temporary.write_text(json.dumps([to_json(outcome) for outcome in outcomes], indent=2) + "\n")
+    commands = [shlex.join(["trackworthy", "run", called, "--case", outcome.name]) for outcome in outcomes]
     if outcomes:
-        commands = [result.command for result in results if result.outcome]
         write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands)
+
+
+def _answer(results: list[Result], folder: Path) -> int:
+    """A line a case, and the exit code."""
+    from planners.errors import TrackworthyError
+    from reports.words import sentence
+
     for result in results:
         mark = "error" if not result.outcome else "pass " if result.outcome.verdict.passed else "FAIL "
         print(f"{mark} {result.case.name}: {sentence(result.outcome) if result.outcome else result.error}")
-    passed = sum(outcome.verdict.passed for outcome in outcomes)
-    print(f"{passed} of {len(results)} cases as expected; report: {folder / 'report.pdf'}")
-    if failures:
-        print(f"trackworthy: {len(failures)} cases failed to run", file=sys.stderr)
+    passed = sum(result.outcome is not None and result.outcome.verdict.passed for result in results)
+    failed = sum(result.outcome is None for result in results)
+    report = f"; report: {folder / 'report.pdf'}" if failed < len(results) else ""
+    print(f"{passed} of {len(results)} cases as expected{f', {failed} failed to run' if failed else ''}{report}")
+    if failed:
         return TrackworthyError.exit_code
     return 0 if passed == len(results) else 1

@@ -92,3 +92,17 @@ def test_a_wrong_campaign_is_one_line_and_exit_code_2(tmp_path, capfd, text, tol
 def test_an_unknown_campaign_names_those_there_are(capfd):
     assert main(["run", "slowstart"]) == 2
     assert "quickstart" in capfd.readouterr().err
+
+
+def test_one_case_can_be_repeated_alone(tmp_path, capfd):
+    name = campaign(tmp_path, CASE + "speed = [10, 12]\n")
+    assert main(["run", name, "--case", "line 12"]) == 0
+    assert "1 of 1 cases as expected" in capfd.readouterr().out
+    assert (tmp_path / "runs" / "mine-line-12" / "report.pdf").is_file()
+    assert main(["run", name, "--case", "line 13"]) == 2
+    assert "no case 'line 13'; did you mean 'line 12'?" in capfd.readouterr().err
+
+
+def test_notes_on_mission_files_are_told_once(capfd):
+    assert main(["run", "--case", "valley survey"]) == 0
+    assert capfd.readouterr().err.count("NAV_TAKEOFF") == 1

@@ -5,12 +5,12 @@ import subprocess
 import sys
 
 import pytest
-from sample_paths import arcs, circle, right_angle, road_weave
 
 from campaigns.campaign import CAMPAIGNS_FOLDER
 from planners import files
 from planners.frame import Frame
 from planners.path import Path
+from sample_paths import arcs, circle, right_angle, road_weave
 from trackworthy.__main__ import main
 
 G = 9.80665
