@@ -25,6 +25,7 @@ _AUTO = 10  # custom_mode of AUTO in ArduPlane and in Rover
 _PLAN_DETAIL = 0.1  # of the corridor: how far the mission's polyline may stand off the path
 _MOST_ITEMS = 5000  # MISSION_COUNT counts to 65535, but no client enjoys that
 _INT16, _INT32 = 32767, 2**31 - 1
+_UNKNOWN, _UNKNOWN_COUNT = 65535, 255  # what MAVLink takes for "not known"
 
 
 def write_tlog(outcome: Outcome, stream: BinaryIO) -> None:
@@ -108,6 +109,12 @@ def _telemetry(link: mav.MAVLink, now: Sample) -> None:
         boot_ms, round(now.lat * 1e7), round(now.lon * 1e7), _int32(now.z * 1e3), _int32(now.height_gained * 1e3),
         _int16(now.north_speed * 100.0), _int16(now.east_speed * 100.0), _int16(-now.climb_rate * 100.0),
         round(now.compass * 100.0) % 36000,
+    )  # fmt: skip
+    # Most tools take the place from the receiver; its accuracy and satellites are unknown, for there are none.
+    link.gps_raw_int_send(
+        EPOCH * 1_000_000 + round(now.t * 1e6), mav.GPS_FIX_TYPE_3D_FIX, round(now.lat * 1e7), round(now.lon * 1e7),
+        _int32(now.z * 1e3), _UNKNOWN, _UNKNOWN, min(_UNKNOWN - 1, round(now.ground_speed * 100.0)),
+        round(math.degrees(math.atan2(now.east_speed, now.north_speed)) * 100.0) % 36000, _UNKNOWN_COUNT,
     )  # fmt: skip
     link.attitude_send(boot_ms, now.roll, now.pitch, now.yaw, now.roll_rate, now.pitch_rate, now.yaw_rate)
     link.vfr_hud_send(

@@ -48,7 +48,7 @@ def flown(frame=Frame(48.1, 11.6), kind="fixed-wing", seconds=20.0, dt=0.05):  #
     limits = dataclasses.replace(LIMITS, kind=kind)
     return Outcome(
         name="circle", path=path, obstacles=None, vehicle="c172x", limits=limits, controller="lqr", speed=SPEED,
-        corridor=30.0, conditions=Conditions(), seed=0, track=track, metrics={}, feasibility=Feasibility((), (), ()),
+        corridor=30.0, conditions=Conditions(), seed=0, track=track, metrics={}, feasibility=Feasibility((), ()),
         verdict=Verdict(()),
     )  # fmt: skip
 

@@ -79,6 +79,13 @@ def test_starts_eastward_in_a_left_turn(log):
     assert (hud.airspeed, hud.groundspeed, hud.heading, hud.throttle) == (51.0, 50.0, 90, 65)
 
 
+def test_the_receiver_has_place_and_course_over_ground(log):
+    receiver, position = (of(log, kind)[0] for kind in ("GPS_RAW_INT", "GLOBAL_POSITION_INT"))
+    assert receiver.fix_type == mavutil.mavlink.GPS_FIX_TYPE_3D_FIX
+    assert (receiver.lat, receiver.lon, receiver.alt) == (position.lat, position.lon, position.alt)
+    assert (receiver.vel, receiver.cog) == (5000, 9000)  # eastward
+
+
 def test_guidance(log):
     guidance = of(log, "NAV_CONTROLLER_OUTPUT")[0]
     assert guidance.xtrack_error == pytest.approx(-3.0)  # right of the path
