@@ -6,9 +6,10 @@ import math
 from importlib.metadata import PackageNotFoundError, version
 
 from reports.deciding import deciding
+from reports.infeasible import turned
 from reports.quantity import degrees
 from reports.words import reason, sentence
-from tracking.feasibility import Slope, Turn
+from tracking.feasibility import Feasibility, Slope, Stretch
 from tracking.metric import SCHEMA_VERSION, Margin, Metric
 from tracking.outcome import Outcome
 from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
@@ -47,7 +48,7 @@ def to_json(outcome: Outcome) -> dict[str, Json]:
         "metrics": {name: _metric(metric) for name, metric in outcome.metrics.items()},
         "feasibility": {
             "turns": len(outcome.feasibility.turns),
-            "tight": [_turn(turn) for turn in outcome.feasibility.tight],
+            "infeasible": [_stretch(outcome.feasibility, stretch) for stretch in outcome.feasibility.stretches],
             "steep": [_slope(slope) for slope in outcome.feasibility.steep],
         },
         "notes": list(outcome.notes),
@@ -85,15 +86,19 @@ def _metric(metric: Metric) -> Json:
     }
 
 
-def _turn(turn: Turn) -> Json:
+def _stretch(feasibility: Feasibility, stretch: Stretch) -> Json:
+    """A stretch too tight; `turn` is over all of it [deg, left positive], the rest at its worst place."""
+    left, right = turned(feasibility, stretch)
+    worst = stretch.worst
     return {
-        "s": turn.s,
-        "x": turn.x,
-        "y": turn.y,
-        "angle_deg": math.degrees(turn.angle),
-        "required": _finite(turn.required),
-        "available": _finite(turn.available),
-        "missing": _finite(-turn.margin),
+        "s": stretch.s,
+        "s_end": stretch.s_end,
+        "x": worst.x,
+        "y": worst.y,
+        "turn": math.degrees(left - right),
+        "available": _finite(worst.available),
+        "required": _finite(worst.required),
+        "missing": _finite(-worst.margin),
     }
 
 

@@ -57,6 +57,15 @@ def pair(value: float, limit: float, unit: str, met: bool = False) -> tuple[str,
     return text(value, unit, digits), text(limit, unit, digits)
 
 
+def span(low: float, high: float, unit: str) -> str:
+    """From one value to another, the unit said once: "1.2 – 3.4 km"; one value alone where they are the same."""
+    if low == high:
+        return text(low, unit)
+    first, last = pair(low, high, unit)
+    amount, _, shown = first.rpartition(" ")
+    return f"{amount if last.endswith(f' {shown}') else first} – {last}"
+
+
 def number(value: float, digits: int = 3) -> str:
     """A number with `digits` significant digits, whole digits kept, no exponent and no trailing zeros."""
     if not math.isfinite(value):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from reports.quantity import pair, reading_unit, text, text_with_g
@@ -51,12 +52,15 @@ def rows(outcome: Outcome) -> list[Row]:
     return [*map(_required, margins), *sorted(others, key=lambda row: order.index(row.group))]
 
 
-def unmeasured(outcome: Outcome) -> list[str]:
-    """What could not be measured, one line for each reason: "clearance_min: no map was given"."""
+def unmeasured(outcome: Outcome, called: Callable[[str], str] = str) -> list[str]:
+    """What could not be measured, one line for each reason: "clearance_min: no map was given".
+
+    `called` turns a metric's name into what is printed.
+    """
     names: dict[str, list[str]] = {}
     for metric in outcome.metrics.values():
         if not metric.valid:
-            names.setdefault(metric.note, []).append(metric.name)
+            names.setdefault(metric.note, []).append(called(metric.name))
     return [f"{', '.join(alike)}: {note}" if note else ", ".join(alike) for note, alike in names.items()]
 
 

@@ -7,6 +7,6 @@ import unicodedata
 
 
 def slug(name: str) -> str:
-    """`name` in lower case with words joined by hyphens, safe in any file system: "Mission 3, 30km/h" -> "mission-3-30km-h"."""
+    """`name` as any file system takes it: "Mission 3, 30km/h" is "mission-3-30km-h"."""
     plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
     return re.sub(r"[^a-z0-9.]+", "-", plain.lower()).strip("-.")[:100] or "case"

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 from reports.deciding import deciding
+from reports.names import spoken
 from reports.quantity import pair, reading_unit, text
 from sim.wind import Wind
-from tracking.feasibility import Slope, Turn
+from tracking.feasibility import Slope, Stretch
 from tracking.loop import COMPLETED
 from tracking.metric import Margin
 from tracking.outcome import Outcome
@@ -34,10 +35,13 @@ def verdict_words(outcome: Outcome) -> str:
 
 def setting(outcome: Outcome) -> str:
     """Vehicle, controller, speed and wind: "c172x · lqr · 55 m/s · wind 10 m/s from 270°"."""
-    parts = [outcome.vehicle, outcome.controller, speed_words(outcome)]
-    if outcome.limits.kind != GROUND or outcome.conditions.wind.speed > 0.0:
-        parts.append(wind_words(outcome.conditions.wind))
-    return " · ".join(parts)
+    return " · ".join([outcome.vehicle, outcome.controller, *conditions(outcome)])
+
+
+def conditions(outcome: Outcome) -> tuple[str, ...]:
+    """Speed, and wind where it matters: "55 m/s", "no wind"."""
+    speed, wind = speed_words(outcome), outcome.conditions.wind
+    return (speed, wind_words(wind)) if outcome.limits.kind != GROUND or wind.speed > 0.0 else (speed,)
 
 
 def speed_words(outcome: Outcome) -> str:
@@ -70,19 +74,19 @@ def reason(outcome: Outcome) -> str:
 
 
 def closest(margin: Margin) -> str:
-    """A met requirement: "cross_track_max 12.3 m of 30 m"."""
+    """A met requirement: "cross-track error 12.3 m of 30 m"."""
     value, limit = pair(margin.metric.value, margin.requirement.limit, reading_unit(margin.metric), met=True)
     at_least = "at least " if margin.requirement.comparison == ">=" else ""
-    return f"{margin.metric.name} {value} of {at_least}{limit}"
+    return f"{spoken(margin.metric.name)} {value} of {at_least}{limit}"
 
 
 def missed(margin: Margin) -> str:
-    """A missed requirement: "cross_track_max 42.1 m > 30 m"."""
+    """A missed requirement: "cross-track error 42.1 m > 30 m"."""
     if math.isnan(margin.value):
         note = f": {margin.metric.note}" if margin.metric.note else ""
-        return f"{margin.metric.name} could not be measured{note}"
+        return f"{spoken(margin.metric.name)} could not be measured{note}"
     value, limit = pair(margin.metric.value, margin.requirement.limit, reading_unit(margin.metric))
-    return f"{margin.metric.name} {value} {'>' if margin.requirement.comparison == '<=' else '<'} {limit}"
+    return f"{spoken(margin.metric.name)} {value} {'>' if margin.requirement.comparison == '<=' else '<'} {limit}"
 
 
 def place(margin: Margin) -> str:
@@ -98,23 +102,40 @@ def cause(outcome: Outcome, margin: Margin) -> str:
     if name.startswith("altitude_"):
         leg = _slope_at(outcome.feasibility.steep, s)
         return _slope_words(leg) if leg else ""
-    tight = outcome.feasibility.tight
-    if not tight or name.startswith(_NOT_BY_TURNS):
+    stretches = outcome.feasibility.stretches
+    if not stretches or name.startswith(_NOT_BY_TURNS):
         return ""
-    # A vehicle thrown out of a turn is at its worst within about a turn's diameter of it.
-    near = [turn for turn in tight if abs(turn.s - s) <= 2.0 * turn.required + outcome.corridor]
-    if near:
-        return "the turn there " + _turn_words(min(near, key=lambda turn: abs(turn.s - s)))
-    worst = min(tight, key=lambda turn: turn.margin)
-    turns = "a turn is" if len(tight) == 1 else f"{len(tight)} turns are"
-    which = "it" if len(tight) == 1 else "the worst"
-    return f"{turns} too tight; {which}, at {text(worst.s, 'm')}, {_turn_words(worst)}"
+    if near := [stretch for stretch in stretches if _off(stretch, s) <= _reach(outcome, stretch)]:
+        chosen = min(near, key=lambda stretch: (_off(stretch, s), stretch.worst.margin))
+        along = f", {_along(chosen)}," if chosen.s_end > chosen.s else ""
+        return f"the turn there{along} {_needs(chosen)}"
+    chosen = min(stretches, key=lambda stretch: stretch.worst.margin)
+    if len(stretches) == 1:
+        return f"the turn {_along(chosen)} {_needs(chosen)}"
+    return f"{len(stretches)} turns are too tight; the worst, {_along(chosen)}, {_needs(chosen)}"
 
 
-def _turn_words(turn: Turn) -> str:
-    if math.isinf(turn.required):
+def _off(stretch: Stretch, s: float) -> float:
+    """How far `s` is before or past `stretch` [m]; NaN for a metric without a place."""
+    return s if math.isnan(s) else max(stretch.s - s, s - stretch.s_end, 0.0)
+
+
+def _reach(outcome: Outcome, stretch: Stretch) -> float:
+    """A vehicle thrown out of a turn is at its worst within about a turn's diameter of it [m]."""
+    return 2.0 * stretch.worst.required + outcome.corridor
+
+
+def _along(stretch: Stretch) -> str:
+    if stretch.s == stretch.s_end:
+        return f"at {text(stretch.s, 'm')}"
+    start, end = pair(stretch.s, stretch.s_end, "m")
+    return f"from {start} to {end}"
+
+
+def _needs(stretch: Stretch) -> str:
+    if math.isinf(stretch.worst.required):
         return "cannot be flown in this wind at any radius"
-    needed, offered = pair(turn.required, turn.available, "m")
+    needed, offered = pair(stretch.worst.required, stretch.worst.available, "m")
     return f"needs a {needed} radius and offers {offered}"
 
 

@@ -109,13 +109,12 @@ def outcome_of(path, obstacles, limits, track, wind=Wind(), name="case", expect=
                 limits.turn_radius(track["ground_speed"][0]),
             )
         )
-    tight = tuple(turn for turn in turns if turn.margin < 0.0)
     table = {metric.name: metric for metric in metrics}
     return Outcome(
         name=name, path=path, obstacles=obstacles, vehicle="c172x" if limits is PLANE else "truck", limits=limits,
         controller="lqr", speed=limits.speed, corridor=limits.corridor,
         conditions=Conditions(wind, path.frame or Frame(0.0, 0.0)), seed=7, track=track, metrics=table,
-        feasibility=Feasibility(tuple(turns), tight, ()), verdict=judge(table, requirements, expect), notes=notes,
+        feasibility=Feasibility(tuple(turns), ()), verdict=judge(table, requirements, expect), notes=notes,
     )  # fmt: skip
 
 

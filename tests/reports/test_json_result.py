@@ -6,7 +6,7 @@ import pytest
 
 from reports.json_result import to_json
 from reports.words import sentence
-from tracking.feasibility import Feasibility
+from tracking.feasibility import Feasibility, Turn
 from tracking.verdict import Verdict
 
 
@@ -46,14 +46,17 @@ def test_no_number_is_null(yard):
     assert to_json(yard)["path"]["origin"] is None
 
 
-def test_infeasible_segments(route, steep_leg):
-    feasibility = Feasibility(route.feasibility.turns, route.feasibility.tight, (steep_leg,))
-    told = to_json(dataclasses.replace(route, feasibility=feasibility))["feasibility"]
-    turn = route.feasibility.tight[0]
-    assert told["tight"][0] == {
-        "s": turn.s, "x": turn.x, "y": turn.y, "angle_deg": math.degrees(turn.angle), "required": turn.required,
-        "available": turn.available, "missing": pytest.approx(turn.required - turn.available),
+def test_infeasible_stretches(route, steep_leg):
+    offers = (900.0, 69.0, 68.0, 67.0, 900.0, 65.0)
+    turns = [Turn(100.0 * i, 10.0 * i, i, math.radians(5.0), offer, 530.0) for i, offer in enumerate(offers)]
+    told = to_json(dataclasses.replace(route, feasibility=Feasibility(tuple(turns), (steep_leg,))))["feasibility"]
+    assert told["turns"] == 6
+    first, second = told["infeasible"]
+    assert first == {
+        "s": 100.0, "s_end": 300.0, "x": 30.0, "y": 3.0, "turn": pytest.approx(15.0), "available": 67.0,
+        "required": 530.0, "missing": 463.0,
     }  # fmt: skip
+    assert (second["s"], second["s_end"]) == (500.0, 500.0)
     assert told["steep"][0]["missing"] == pytest.approx(0.04)
 
 

@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from reports.quantity import degrees, number, pair, reading_unit, text, text_with_g
+from reports.quantity import degrees, number, pair, reading_unit, span, text, text_with_g
 from tracking.metric import Metric
 
 
@@ -67,3 +67,16 @@ def test_degrees_for_machines():
     assert degrees(math.pi, "rad") == (180.0, "deg")
     assert degrees(math.pi, "rad/s") == (180.0, "deg/s")
     assert degrees(5.0, "m/s^2") == (5.0, "m/s^2")
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "shown"),
+    [
+        (60.0, 107.0, "60 – 107 m"),
+        (80.0, 80.0, "80 m"),
+        (990.0, 1200.0, "990 m – 1.2 km"),
+        (16_201.0, 16_203.0, "16.201 – 16.203 km"),
+    ],
+)
+def test_span(low, high, shown):
+    assert span(low, high, "m") == shown

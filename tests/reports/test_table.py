@@ -6,6 +6,7 @@ from rich.console import Console
 
 from reports.table import print_outcome
 from reports.words import sentence
+from tracking.feasibility import Feasibility, Turn
 
 
 def printed(outcome, width=80, **console):
@@ -53,3 +54,41 @@ def test_markup_in_names_is_text(yard):
     named = dataclasses.replace(yard, name="[bold]a[/]", notes=("[red]n[/red]",))
     assert "[bold]a[/]" in printed(named)
     assert "note: [red]n[/red]" in printed(named)
+
+
+def with_turns(outcome, count):
+    """`outcome` with `count` stretches of two turns each, the later the tighter."""
+    turns = []
+    for i in range(count):
+        turns += [Turn(100.0 * i + add, 0, 0, 0.5, 90.0 - i, 530.0) for add in (0.0, 40.0)]
+        turns.append(Turn(100.0 * i + 50.0, 0, 0, 0.5, 900.0, 530.0))
+    return dataclasses.replace(outcome, feasibility=Feasibility(tuple(turns), ()))
+
+
+def test_infeasible_stretches_are_listed(route):
+    lines = [line.rstrip() for line in printed(with_turns(route, 2)).splitlines()]
+    start = lines.index("turns too tight for the vehicle: 2")
+    assert lines[start + 1].split() == ["where", "turn", "needs", "radius", "offers", "missing"]
+    first, second = (line.split() for line in lines[start + 3 : start + 5])
+    assert first == ["0", "–", "40", "m", "57.3°", "left", "530", "m", "90", "m", "440", "m"]
+    assert second[-6:] == ["530", "m", "89", "m", "441", "m"]
+    assert lines[start + 5] == ""
+    assert max(map(len, lines[start : start + 5])) <= 80
+
+
+def test_no_more_than_the_worst_stretches_are_listed(route):
+    text = printed(with_turns(route, 20))
+    assert "and 12 more" in text
+    assert text.count("57.3° left") == 8
+    assert "1200 – 1240" not in text
+    assert "71 m" in text
+
+
+def test_nothing_infeasible_is_not_mentioned(yard):
+    assert "too" not in printed(dataclasses.replace(yard, feasibility=Feasibility((), ())))
+
+
+def test_steep_legs_are_listed(route, steep_leg):
+    assert "legs too steep for the vehicle: 1" in printed(
+        dataclasses.replace(route, feasibility=Feasibility((), (steep_leg,)))
+    )

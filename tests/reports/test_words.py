@@ -7,11 +7,11 @@ from tracking.metric import Metric, Requirement
 from tracking.verdict import Verdict, judge
 
 
-def judged(outcome, *pairs, expect="trackworthy", tight=(), steep=(), **changes):
+def judged(outcome, *pairs, expect="trackworthy", turns=(), steep=(), **changes):
     """`outcome` with another verdict, on (metric, comparison, limit) triples."""
     metrics = {metric.name: metric for metric, _, _ in pairs}
     requirements = [Requirement(metric.name, comparison, limit) for metric, comparison, limit in pairs]
-    changes |= {"metrics": metrics, "feasibility": Feasibility((), tight, steep)}
+    changes |= {"metrics": metrics, "feasibility": Feasibility(turns, steep)}
     return dataclasses.replace(outcome, verdict=judge(metrics, requirements, expect), **changes)
 
 
@@ -23,32 +23,42 @@ def test_trackworthy(route):
     outcome = judged(route, (error(12.3), "<=", 30.0))
     assert sentence(outcome) == (
         "TRACKWORTHY  c172x · lqr · 55 m/s · wind 10 m/s from 270°: "
-        "every requirement met; closest: cross_track_max 12.3 m of 30 m"
+        "every requirement met; closest: cross-track error 12.3 m of 30 m"
     )
 
 
 def test_not_trackworthy_names_the_turn(route):
     turn = Turn(3300.0, 0.0, 0.0, 1.0, 72.0, 530.0)
-    outcome = judged(route, (error(42.1), "<=", 30.0), tight=(turn,))
+    outcome = judged(route, (error(42.1), "<=", 30.0), turns=(turn,))
     assert sentence(outcome) == (
         "NOT TRACKWORTHY  c172x · lqr · 55 m/s · wind 10 m/s from 270°: "
-        "cross_track_max 42.1 m > 30 m at 3.41 km: the turn there needs a 530 m radius and offers 72 m"
+        "cross-track error 42.1 m > 30 m at 3.41 km: the turn there needs a 530 m radius and offers 72 m"
     )
 
 
 def test_the_worst_turn_is_named_when_none_is_near(route):
-    turns = (Turn(20e3, 0, 0, 1.0, 72.0, 530.0), Turn(30e3, 0, 0, 1.0, 100.0, 530.0))
+    turns = tuple(Turn(s, 0, 0, 1.0, offers, 530.0) for s, offers in ((20e3, 72.0), (25e3, 900.0), (30e3, 100.0)))
     assert "2 turns are too tight; the worst, at 20 km, needs" in reason(
-        judged(route, (error(42.1), "<=", 30.0), tight=turns)
+        judged(route, (error(42.1), "<=", 30.0), turns=turns)
     )
-    assert "a turn is too tight; it, at 20 km, needs" in reason(
-        judged(route, (error(42.1, math.nan), "<=", 30.0), tight=turns[:1])
+    assert ": the turn at 20 km needs a 530 m radius and offers 72 m" in reason(
+        judged(route, (error(42.1, math.nan), "<=", 30.0), turns=turns[:1])
+    )
+
+
+def test_a_stretch_is_one_turn(route):
+    turns = tuple(Turn(s, 0, 0, 0.1, 900.0 - s / 5, 530.0) for s in range(1000, 3500, 100))
+    assert reason(judged(route, (error(42.1), "<=", 30.0), turns=turns)).endswith(
+        "at 3.41 km: the turn there, from 1.9 km to 3.4 km, needs a 530 m radius and offers 220 m"
+    )
+    assert reason(judged(route, (error(42.1, 30e3), "<=", 30.0), turns=turns)).endswith(
+        "at 30 km: the turn from 1.9 km to 3.4 km needs a 530 m radius and offers 220 m"
     )
 
 
 def test_a_turn_that_no_radius_helps(route):
     turn = Turn(3300.0, 0.0, 0.0, 1.0, 72.0, math.inf)
-    assert "cannot be flown in this wind" in reason(judged(route, (error(42.1), "<=", 30.0), tight=(turn,)))
+    assert "cannot be flown in this wind" in reason(judged(route, (error(42.1), "<=", 30.0), turns=(turn,)))
 
 
 def test_a_steep_leg_explains_a_missed_height(route):
@@ -60,13 +70,13 @@ def test_a_steep_leg_explains_a_missed_height(route):
 def test_speed_is_not_blamed_on_turns(route):
     speed = Metric("speed_error_max", 9.0, "m/s", s=3.3e3)
     turn = Turn(3300.0, 0.0, 0.0, 1.0, 72.0, 530.0)
-    assert reason(judged(route, (speed, "<=", 5.0), tight=(turn,))) == "speed_error_max 9 m/s > 5 m/s at 3.3 km"
+    assert reason(judged(route, (speed, "<=", 5.0), turns=(turn,))) == "speed error 9 m/s > 5 m/s at 3.3 km"
 
 
 def test_unmeasured_is_missed(route):
     metric = Metric("cross_track_max", math.nan, "m", valid=False, note="the vehicle did not move")
     assert reason(judged(route, (metric, "<=", 30.0))) == (
-        "cross_track_max could not be measured: the vehicle did not move"
+        "cross-track error could not be measured: the vehicle did not move"
     )
 
 
@@ -83,7 +93,7 @@ def test_what_cannot_be_better_is_not_the_closest(route):
     completion = Metric("completion", 1.0, "1", "higher")
     incursions = Metric("incursion_count", 0.0, "1")
     outcome = judged(route, (completion, ">=", 1.0), (incursions, "<=", 0.0), (error(3.0), "<=", 30.0))
-    assert reason(outcome) == "every requirement met; closest: cross_track_max 3 m of 30 m"
+    assert reason(outcome) == "every requirement met; closest: cross-track error 3 m of 30 m"
     outcome = judged(route, (completion, ">=", 1.0))
     assert reason(outcome) == "every requirement met; closest: completion 100 % of at least 100 %"
 
