@@ -9,51 +9,63 @@ import numpy as np
 
 from reports.deciding import deciding
 from reports.quantity import reading_unit, text
+from reports.words import closest, missed
 from tracking.metric import Metric
 from tracking.outcome import Outcome
 
+_LARGEST = "Largest cross-track error"
 _AT_THE_TIME = 1.0  # [s] a sample farther from a metric's time is not the one it speaks of
 
 
 @dataclass(frozen=True, slots=True)
 class Focus:
-    """At arc length `s` [m], at (`x`, `y`) [m]; `index` is the track's sample there, or None where none was flown."""
+    """At arc length `s` [m], at (`x`, `y`) [m]; `index` is the track's sample there, or None where none was flown.
+
+    `title` says what it is, `label` its value; it is an `alarm` where the run is not trackworthy.
+    """
 
     s: float
     x: float
     y: float
     index: int | None
     label: str
+    title: str
+    alarm: bool
 
 
 def focus(outcome: Outcome) -> Focus | None:
     """Where the deciding metric was worst; one without a place gives way to the largest cross-track error."""
-    for metric in _candidates(outcome):
-        if metric.valid and (found := _locate(outcome, metric)):
+    margin, cross_track = deciding(outcome.verdict), outcome.metrics.get("cross_track_max")
+    for metric in (margin.metric if margin else None, cross_track):
+        if metric is not None and metric.valid and (found := _locate(outcome, metric)):
             return found
     error = np.abs(outcome.track["cross_track"])
     if not np.isfinite(error).any():
         return None
     index = int(np.nanargmax(error))
-    return _at_sample(outcome, index, f"cross-track {text(float(error[index]), 'm')}")
-
-
-def _candidates(outcome: Outcome) -> list[Metric]:
-    margin, cross_track = deciding(outcome.verdict), outcome.metrics.get("cross_track_max")
-    return [metric for metric in (margin.metric if margin else None, cross_track) if metric is not None]
+    return _at_sample(outcome, index, _LARGEST, text(float(error[index]), "m"))
 
 
 def _locate(outcome: Outcome, metric: Metric) -> Focus | None:
-    label = f"{metric.name} {text(metric.value, reading_unit(metric))}"
+    title, label = _told(outcome, metric)
     if math.isfinite(metric.t) and len(outcome.track):
         late = np.abs(outcome.track["t"] - metric.t)
         if np.isfinite(late).any() and np.nanmin(late) <= _AT_THE_TIME:
-            return _at_sample(outcome, int(np.nanargmin(late)), label)
+            return _at_sample(outcome, int(np.nanargmin(late)), title, label)
     if math.isfinite(metric.s):
-        return Focus(metric.s, *outcome.path.point_at(metric.s), None, label)
+        return Focus(metric.s, *outcome.path.point_at(metric.s), None, label, title, not outcome.verdict.trackworthy)
     return None
 
 
-def _at_sample(outcome: Outcome, index: int, label: str) -> Focus | None:
+def _told(outcome: Outcome, metric: Metric) -> tuple[str, str]:
+    """Title and label: a metric that decides is told with its limit."""
+    value, margin = text(metric.value, reading_unit(metric)), deciding(outcome.verdict)
+    if margin is None or margin.metric is not metric:
+        return _LARGEST, value
+    return ("Closest to a limit", closest(margin)) if margin.met else ("Worst point", missed(margin))
+
+
+def _at_sample(outcome: Outcome, index: int, title: str, label: str) -> Focus | None:
     s, x, y = (float(outcome.track[column][index]) for column in ("s", "x", "y"))
-    return Focus(s, x, y, index, label) if math.isfinite(s + x + y) else None
+    alarm = not outcome.verdict.trackworthy
+    return Focus(s, x, y, index, label, title, alarm) if math.isfinite(s + x + y) else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -40,7 +41,8 @@ def write_kml(outcome: Outcome, file: str | Path) -> None:
     _line(document, "flown", places, clamped)
     if (worst := focus(outcome)) is not None:
         [[lat, lon]] = frame.to_geographic(np.array([[worst.x, worst.y]]))
-        _point(document, f"worst: {worst.label}", f"{lon:.9f},{lat:.9f}")
+        z = math.nan if clamped or worst.index is None else float(outcome.track["z"][worst.index])
+        _point(document, f"{worst.title}: {worst.label}", lon, lat, z)
     ElementTree.indent(root)
     with atomic(file) as temporary:
         ElementTree.ElementTree(root).write(temporary, encoding="utf-8", xml_declaration=True)
@@ -58,10 +60,14 @@ def _line(document: ElementTree.Element, name: str, places: Floats, clamped: boo
     _child(line, "coordinates", " ".join(f"{lon:.9f},{lat:.9f},{z:.3f}" for lon, lat, z in places.tolist()))
 
 
-def _point(document: ElementTree.Element, name: str, coordinates: str) -> None:
+def _point(document: ElementTree.Element, name: str, lon: float, lat: float, z: float) -> None:
+    """A point at height `z` [m], or on the ground where that is NaN."""
     mark = _child(document, "Placemark")
     _child(mark, "name", name)
-    _child(_child(mark, "Point"), "coordinates", coordinates)
+    point = _child(mark, "Point")
+    if math.isfinite(z):
+        _child(point, "altitudeMode", "absolute")
+    _child(point, "coordinates", f"{lon:.9f},{lat:.9f},{z:.3f}" if math.isfinite(z) else f"{lon:.9f},{lat:.9f}")
 
 
 def _child(parent: ElementTree.Element, tag: str, text: str | None = None, **attributes: str) -> ElementTree.Element:

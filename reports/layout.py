@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from reports.style import WIDTH
 
 LEFT, RIGHT = 0.72, 0.16  # margins; the labels of y axes stand in the left one
-_GAP = 0.80  # between map and near view, for the labels of the latter
+_GAP = 0.80  # between axes side by side, for the labels of the right ones
 _FULL = WIDTH - LEFT - RIGHT
 _WIDE = 2.2  # a map wider than this, against its height, takes the full width
-_PANEL, _BETWEEN = 0.86, 0.32  # height of a series panel, and the room for its title
 _LABELS = 0.44  # under axes, for ticks and label
 _TITLE = 0.22  # above axes
+_CAPTION = 0.38  # above the near view, for two lines
 _KEY = 0.46  # colour bar and legend under the map
+_PAGE_KEY = 1.5  # the same beside it
 _BOTTOM = 0.06
 
 
@@ -52,37 +53,70 @@ class Layout:
         return tuple(not any(_under(other, box) for other in self.series) for box in self.series)
 
 
+@dataclass(frozen=True, slots=True)
+class _Sizes:
+    """Heights of a map, of a flat map at least and at most, and of series and the room above their titles."""
+
+    map: float
+    flat: tuple[float, float]
+    near: float
+    panel: float
+    flat_panel: float
+    between: float
+
+
+_ALONE = _Sizes(3.0, (1.5, 3.0), 2.35, 0.86, 0.86, 0.32)
+_ON_PAGE = _Sizes(2.3, (0.9, 1.7), 1.55, 0.70, 0.46, 0.29)
+
+
 def layout(aspect: float, count: int, top: float) -> Layout:
     """Place a map of `aspect` (width / height) and `count` series below the header, which ends at `top` [in]."""
-    return _wide(aspect, count, top) if aspect > _WIDE else _compact(aspect, count, top)
+    return _wide(aspect, count, top, _ALONE) if aspect > _WIDE else _compact(aspect, count, top)
 
 
-def _wide(aspect: float, count: int, top: float) -> Layout:
+def page_layout(aspect: float, count: int) -> Layout:
+    """Like `layout`, without a header and as low as can be read, for a page that has other things to say."""
+    return _wide(aspect, count, _BOTTOM, _ON_PAGE) if aspect > _WIDE else _low(aspect, count)
+
+
+def _wide(aspect: float, count: int, top: float, sizes: _Sizes) -> Layout:
     """The map over the full width; below it the near view, with the key under it, and the series beside."""
-    world = Box(LEFT, top, _FULL, min(3.0, max(1.5, _FULL / aspect)))
-    below = world.bottom + _LABELS + _TITLE + 0.1
-    near = Box(LEFT, below, 2.35, 2.35)
+    lowest, highest = sizes.flat
+    world = Box(LEFT, top, _FULL, min(highest, max(lowest, _FULL / aspect)))
+    below = world.bottom + _LABELS + _CAPTION
+    near = Box(LEFT, below, max(sizes.near, 1.9), sizes.near)
     key = Box(0.2, near.bottom + _LABELS + 0.22, near.width + LEFT - 0.2, 1.0)
-    left = LEFT + near.width + _GAP
-    series = tuple(Box(left, below + i * (_PANEL + _BETWEEN), WIDTH - RIGHT - left, _PANEL) for i in range(count))
+    left, step = LEFT + near.width + _GAP, sizes.flat_panel + sizes.between
+    series = tuple(Box(left, below + i * step, WIDTH - RIGHT - left, sizes.flat_panel) for i in range(count))
     return Layout(world, near, key, 2, series, max(series[-1].bottom + _LABELS, key.bottom) + _BOTTOM)
 
 
 def _compact(aspect: float, count: int, top: float) -> Layout:
-    """Map and near view side by side, the key under them, then the series two in a row; an odd one has a row alone."""
-    height = 3.0
-    world = Box(LEFT, top + _TITLE, min(4.0, max(2.7, height * aspect)), height)
-    near = Box(LEFT + world.width + _GAP, world.top, _FULL - world.width - _GAP, height)
+    """Map and near view side by side, the key under them, then the series two in a row."""
+    world = Box(LEFT, top + _CAPTION, min(4.0, max(2.7, _ALONE.map * aspect)), _ALONE.map)
+    near = Box(LEFT + world.width + _GAP, world.top, _FULL - world.width - _GAP, world.height)
     key = Box(LEFT, world.bottom + _LABELS + 0.2, _FULL, _KEY)
-    half = (_FULL - _GAP) / 2
-    series, row = [], key.bottom + _TITLE
-    if count % 2:
-        series.append(Box(LEFT, row, _FULL, _PANEL))
-        row += _PANEL + _BETWEEN
-    for i in range(count // 2):
-        for left in (LEFT, LEFT + half + _GAP):
-            series.append(Box(left, row + i * (_PANEL + _BETWEEN), half, _PANEL))
-    return Layout(world, near, key, 4, tuple(series), series[-1].bottom + _LABELS + _BOTTOM)
+    series = _pairs(key.bottom + _TITLE, count, _ALONE)
+    return Layout(world, near, key, 4, series, series[-1].bottom + _LABELS + _BOTTOM)
+
+
+def _low(aspect: float, count: int) -> Layout:
+    """Map, near view and key side by side, then the series two in a row."""
+    room = _FULL - _GAP - _PAGE_KEY - 0.2  # for map and near view
+    world = Box(LEFT, _CAPTION, min(0.62 * room, max(0.5 * room, _ON_PAGE.map * aspect)), _ON_PAGE.map)
+    near = Box(LEFT + world.width + _GAP, world.top, room - world.width, world.height)
+    key = Box(WIDTH - RIGHT - _PAGE_KEY, world.top + 0.2, _PAGE_KEY, world.height)
+    series = _pairs(world.bottom + _LABELS + _TITLE + 0.04, count, _ON_PAGE)
+    return Layout(world, near, key, 1, series, series[-1].bottom + _LABELS + _BOTTOM)
+
+
+def _pairs(top: float, count: int, sizes: _Sizes) -> tuple[Box, ...]:
+    """`count` boxes two in a row, from `top` on; an odd one has the first row alone."""
+    half, step, alone = (_FULL - _GAP) / 2, sizes.panel + sizes.between, count % 2
+    boxes = [Box(LEFT, top, _FULL, sizes.panel)] * alone
+    for row in range(alone, alone + count // 2):
+        boxes += [Box(left, top + row * step, half, sizes.panel) for left in (LEFT, LEFT + half + _GAP)]
+    return tuple(boxes)
 
 
 def _under(lower: Box, upper: Box) -> bool:

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from matplotlib.lines import Line2D
 
-from reports.style import CORRIDOR, DASHES, FENCE, FENCE_DASHES, INK, MUTED, PAPER, TIGHT, WORST, Look
+from reports.focus import Focus
+from reports.style import CORRIDOR, DASHES, FENCE, FENCE_DASHES, INK, MARK, MUTED, PAPER, TIGHT, Look
 from tracking.outcome import Outcome
 
 
-def legend_entries(outcome: Outcome) -> list[Line2D]:
+def legend_entries(outcome: Outcome, marked: Focus | None) -> list[Line2D]:
     """One entry for every kind of mark that the map of `outcome` has."""
     looks: list[Look] = [
         {"label": "planned", "color": INK, "linewidth": 1.0, "linestyle": DASHES},
         {"label": "corridor", "color": CORRIDOR, "linewidth": 5.0, "alpha": 0.4},
         _mark("start", (3, 0, -90), 7.0, INK, PAPER),
         _mark("goal", "s", 6.0, INK, PAPER),
-        {**_mark("worst point", "o", 8.0, "none", WORST), "markeredgewidth": 1.6},
     ]
+    if marked is not None:
+        ring = _mark(marked.title.lower(), "o", 8.0, "none", MARK[marked.alarm])
+        looks.append({**ring, "markeredgewidth": 1.6})
     if outcome.feasibility.tight:
-        looks.append(_mark("turn too tight", "v", 7.0, TIGHT, INK))
+        bar: Look = {"linestyle": "-", "linewidth": 5.0, "color": TIGHT, "solid_capstyle": "butt"}
+        looks.append({**_mark("turn too tight", "v", 6.0, TIGHT, INK), **bar})
     area = outcome.obstacles
     if area is not None and (area.keep_in or area.keep_in_circles):
         looks.append({"label": "fence", "color": FENCE, "linewidth": 1.4, "linestyle": FENCE_DASHES})

@@ -12,12 +12,14 @@ from matplotlib.colors import Normalize
 from shapely import LineString, Polygon, box
 
 from planners.kernel import Floats
+from planners.path import Path
 from reports.decimate import polyline
 from reports.extent import Extent
 from reports.focus import Focus
 from reports.obstacle_panel import draw_obstacles
 from reports.shapes import fill, stroke
-from reports.style import CORRIDOR, DASHES, GROUND_COLOUR, INK, PAPER, TIGHT, WORST, Look, error_colours
+from reports.style import CORRIDOR, DASHES, GROUND_COLOUR, INK, MARK, PAPER, TIGHT, Look, error_colours
+from tracking.feasibility import Stretch
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
@@ -40,6 +42,7 @@ def draw_map(axes: Axes, outcome: Outcome, view: Extent, marked: Focus | None) -
     _corridor(axes, outcome, line, window, pixel)
     if outcome.obstacles is not None:
         draw_obstacles(axes, outcome.obstacles, window)
+    _tight(axes, outcome, window)
     stroke(axes, line.intersection(window), {"color": INK, "linewidth": 1.0, "linestyle": DASHES, "zorder": 2.9})
     _flown(axes, outcome, view, pixel)
     _marks(axes, outcome, view, marked)
@@ -51,6 +54,19 @@ def _corridor(axes: Axes, outcome: Outcome, line: LineString, window: Polygon, p
     inside = line.buffer(outcome.corridor, quad_segs=12).intersection(window)
     fill(axes, inside, {"facecolor": CORRIDOR, "alpha": 0.25, "edgecolor": "none", "zorder": 1.0})
     fill(axes, inside, {"facecolor": "none", "edgecolor": CORRIDOR, "linewidth": 0.6, "zorder": 1.1})
+
+
+def _tight(axes: Axes, outcome: Outcome, window: Polygon) -> None:
+    """The stretches of the path that are too tight, broad enough to be seen on both sides of the flown line."""
+    look: Look = {"color": TIGHT, "linewidth": 7.0, "alpha": 0.9, "solid_capstyle": "butt", "zorder": 2.8}
+    for stretch in outcome.feasibility.stretches:
+        if stretch.s_end > stretch.s:
+            stroke(axes, _piece(outcome.path, stretch).intersection(window), look)
+
+
+def _piece(path: Path, stretch: Stretch) -> LineString:
+    within = (path.s > stretch.s) & (path.s < stretch.s_end)
+    return LineString([path.point_at(stretch.s), *path.xy[within], path.point_at(stretch.s_end)])
 
 
 def _flown(axes: Axes, outcome: Outcome, view: Extent, pixel: float) -> None:
@@ -84,14 +100,15 @@ def _marks(axes: Axes, outcome: Outcome, view: Extent, marked: Focus | None) -> 
     forward = (3, 0, math.degrees(path.headings[0]) - 90.0)  # a triangle that points along the path
     _mark(axes, view, path.points[0, :2], {"marker": forward, "markersize": 8.0}, INK, PAPER)
     _mark(axes, view, path.points[-1, :2], {"marker": "s", "markersize": 6.5}, INK, PAPER)
-    for turn in outcome.feasibility.tight:
-        _mark(axes, view, np.array([turn.x, turn.y]), {"marker": "v", "markersize": 7.0}, TIGHT, INK)
+    for stretch in outcome.feasibility.stretches:
+        worst = np.array([stretch.worst.x, stretch.worst.y])
+        _mark(axes, view, worst, {"marker": "v", "markersize": 7.0}, TIGHT, INK)
     if marked is not None:
         ring: Look = {
             "marker": "o", "markersize": 12.0, "markeredgewidth": 1.8, "zorder": 8,
             "path_effects": [effects.Stroke(linewidth=3.6, foreground=PAPER), effects.Normal()],
         }  # fmt: skip
-        _mark(axes, view, np.array([marked.x, marked.y]), ring, "none", WORST)
+        _mark(axes, view, np.array([marked.x, marked.y]), ring, "none", MARK[marked.alarm])
 
 
 def _mark(axes: Axes, view: Extent, at: Floats, look: Look, face: str, edge: str) -> None:

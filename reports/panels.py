@@ -20,10 +20,10 @@ _WIDE_TURN = 50.0  # [m] a vehicle whose tightest turn is wider has its curvatur
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """What a panel shows: `column` times `factor`, under a `limit` (N,) in the unit shown; None where there is none."""
+    """What a panel shows: `column` times `factor`, under a `limit` (N,) in the `unit` shown, or None."""
 
     title: str
-    label: str
+    unit: str
     column: str
     factor: float
     limit: Floats | None
@@ -48,7 +48,7 @@ def panels(outcome: Outcome) -> list[Panel]:
 def _error(outcome: Outcome) -> Panel:
     stated = _stated(outcome, "cross_track_max")
     limit = None if stated is None or stated == outcome.corridor else _constant(outcome, stated)
-    return Panel("Cross-track error", "error [m]", "cross_track", 1.0, limit, corridor=outcome.corridor)
+    return Panel("Cross-track error", "m", "cross_track", 1.0, limit, corridor=outcome.corridor)
 
 
 def _curvature(outcome: Outcome) -> Panel:
@@ -57,40 +57,40 @@ def _curvature(outcome: Outcome) -> Panel:
     limit = np.minimum(limit, outcome.limits.curvature_max)
     tightest = outcome.limits.lateral_acceleration / outcome.speed**2
     factor, unit = (KILO, "1/km") if tightest < 1.0 / _WIDE_TURN else (1.0, "1/m")
-    return Panel("Curvature", f"curvature [{unit}]", "curvature", factor, factor * limit, command="curvature_command")
+    return Panel("Curvature", unit, "curvature", factor, factor * limit, command="curvature_command")
 
 
 def _height(outcome: Outcome) -> Panel | None:
     if outcome.path.z is None:
         return None
-    return Panel("Height", "height [m]", "z", 1.0, None, command="altitude_command", symmetric=False)
+    return Panel("Height", "m", "z", 1.0, None, command="altitude_command", symmetric=False)
 
 
 def _bank(outcome: Outcome) -> Panel | None:
     frame = outcome.track.frame or outcome.path.frame
     earth = frame is None or abs(frame.a / WGS84_A - 1.0) < _EARTHLY
     able = math.atan(outcome.limits.lateral_acceleration / STANDARD_GRAVITY) if earth else math.inf
-    limit = min(able, _stated(outcome, "bank_max") or math.inf)
-    return _own(outcome, "Bank", "bank [°]", "bank", math.degrees(1.0), limit if math.isfinite(limit) else None)
+    limit = _stated(outcome, "bank_max") or able
+    return _own(outcome, "Bank", "°", "bank", math.degrees(1.0), limit if math.isfinite(limit) else None)
 
 
 def _steering(outcome: Outcome) -> Panel | None:
     limit = _stated(outcome, "steering_max")
     if limit is None and math.isfinite(outcome.limits.curvature_max):
         limit = math.atan(outcome.limits.curvature_max * outcome.limits.equivalent_length)
-    return _own(outcome, "Steering", "steering [°]", "steering", math.degrees(1.0), limit)
+    return _own(outcome, "Steering", "°", "steering", math.degrees(1.0), limit)
 
 
 def _lateral(outcome: Outcome) -> Panel | None:
     limit = _stated(outcome, "lateral_acceleration_max") or outcome.limits.lateral_acceleration
-    return _own(outcome, "Lateral acceleration", "a [m/s²]", "lateral_acceleration", 1.0, limit)
+    return _own(outcome, "Lateral acceleration", "m/s²", "lateral_acceleration", 1.0, limit)
 
 
-def _own(outcome: Outcome, title: str, label: str, column: str, factor: float, limit: float | None) -> Panel | None:
+def _own(outcome: Outcome, title: str, unit: str, column: str, factor: float, limit: float | None) -> Panel | None:
     if column not in outcome.track:
         return None
     line = None if limit is None else _constant(outcome, factor * limit)
-    return Panel(title, label, column, factor, line)
+    return Panel(title, unit, column, factor, line)
 
 
 def _stated(outcome: Outcome, metric: str) -> float | None:

@@ -1,4 +1,4 @@
-"""The report as a PDF: one page that answers the question, then a page or two for every case."""
+"""The report as a PDF: one page that answers the question, then a page for every case."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _compiled(outcomes: Sequence[Outcome], folder: Path, title: str, subtitle: s
     cases: list[Json] = []
     for number, outcome in enumerate(outcomes):
         figure = f"case-{number}.svg"
-        save_track_figure(outcome, folder / figure, title=False)
+        save_track_figure(outcome, folder / figure, page=True)
         cases.append(case_data(outcome, figure, commands[number] if number < len(commands) else ""))
     data = json.dumps({"title": title, "subtitle": subtitle, **_counts(outcomes), "cases": cases}, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.

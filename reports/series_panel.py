@@ -11,13 +11,15 @@ from planners.kernel import Floats
 from reports.decimate import envelope
 from reports.focus import Focus
 from reports.panels import Panel
-from reports.style import BLUE, CORRIDOR, INK, LIMIT, MUTED, ORANGE, PAPER, TIGHT, WORST
+from reports.style import BLUE, CORRIDOR, LIMIT, MARK, MUTED, ORANGE, PAPER, TIGHT
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _BINS = 1100  # about the pixels of a panel
+_THINNEST_BAR = 0.006  # of the path's length
+_BAR, _HEADROOM = 0.93, 1.25  # where the bar begins, of the panel's height, and how far the axis goes beyond the values
 
 
 def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None) -> None:
@@ -32,24 +34,18 @@ def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None)
         _limit(axes, s, panel.limit, ceiling)
     if panel.command is not None:
         _line(axes, s, panel.factor * outcome.track[panel.command], ORANGE, 1.0, "commanded")
-    went = "driven" if outcome.limits.kind == "ground" else "flown"
-    _line(axes, s, y, BLUE, 1.4, "achieved" if panel.command else went)
-    for turn in outcome.feasibility.tight:
-        axes.plot(
-            turn.s, 1.0, "v", transform=axes.get_xaxis_transform(), markersize=5.0, markerfacecolor=TIGHT,
-            markeredgecolor=INK, markeredgewidth=0.6, zorder=6, clip_on=False,
-        )  # fmt: skip
+    _line(axes, s, y, BLUE, 1.4, "driven" if outcome.limits.kind == "ground" else "flown")
+    _tight(axes, outcome)
     if marked is not None:
         _mark(axes, marked, y)
-    axes.set_title(panel.title)
-    axes.set_ylabel(panel.label)
+    axes.set_title(f"{panel.title} [{panel.unit}]")
     axes.legend(
         loc="lower right",
         bbox_to_anchor=(1.0, 1.0),
         ncols=4,
         borderaxespad=0.15,
-        handlelength=1.3,
-        columnspacing=1.0,
+        handlelength=1.2,
+        columnspacing=0.8,
         handletextpad=0.5,
     )
 
@@ -62,7 +58,7 @@ def _span(axes: Axes, outcome: Outcome, panel: Panel, y: Floats) -> float:
     limit = panel.limit[np.isfinite(panel.limit)] if panel.limit is not None else np.empty(0)
     wanted = [1.3 * float(np.median(limit))] if len(limit) else []
     wanted += [1.3 * panel.corridor] if panel.corridor is not None else []
-    wanted += [1.15 * float(finite.max())] if len(finite) else []
+    wanted += [_HEADROOM * float(finite.max())] if len(finite) else []
     ceiling = max(wanted, default=1.0) or 1.0
     axes.set_ylim(-ceiling, ceiling)
     return ceiling
@@ -81,11 +77,20 @@ def _line(axes: Axes, s: Floats, y: Floats, colour: str, width: float, label: st
     axes.plot(s[kept], y[kept], color=colour, linewidth=width, label=label, zorder=3)
 
 
+def _tight(axes: Axes, outcome: Outcome) -> None:
+    """A bar at the top, and a tint below it, over every stretch that is too tight."""
+    widened = _THINNEST_BAR * outcome.path.length / 2
+    for stretch in outcome.feasibility.stretches:
+        start, end = stretch.s - widened, stretch.s_end + widened
+        axes.axvspan(start, end, color=TIGHT, alpha=0.13, linewidth=0, zorder=0.6)
+        axes.axvspan(start, end, _BAR, 1.0, color=TIGHT, linewidth=0, zorder=6)
+
+
 def _mark(axes: Axes, marked: Focus, y: Floats) -> None:
-    axes.axvline(marked.s, color=WORST, linewidth=0.8, alpha=0.7, zorder=2)
+    axes.axvline(marked.s, color=MARK[marked.alarm], linewidth=0.8, alpha=0.7, zorder=2)
     if marked.index is not None:
         axes.plot(
-            marked.s, y[marked.index], "o", markersize=6.5, markerfacecolor=PAPER, markeredgecolor=WORST,
+            marked.s, y[marked.index], "o", markersize=6.5, markerfacecolor=PAPER, markeredgecolor=MARK[marked.alarm],
             markeredgewidth=1.6, zorder=7,
         )  # fmt: skip
 

@@ -29,11 +29,13 @@ Look = dict[str, Any]
 INK, MUTED, GRID, PAPER = "#1b2733", "#5b6875", "#e4e9ee", "#ffffff"
 GROUND_COLOUR, OBSTACLE, OBSTACLE_EDGE = "#f6f8fa", "#c3cad2", "#77828e"
 BLUE, SKY, GREEN, VERMILION, ORANGE, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#d55e00", "#e69f00", "#cc79a7"
-CORRIDOR, WORST, TIGHT, LIMIT, FENCE = SKY, VERMILION, PURPLE, VERMILION, GREEN
+CORRIDOR, TIGHT, LIMIT, FENCE = SKY, PURPLE, VERMILION, GREEN
 PASS_BADGE, FAIL_BADGE = "#00735a", "#b34700"  # Okabe and Ito's green and vermilion, darkened for white type
+MARK = {True: VERMILION, False: PASS_BADGE}  # of the one point that a figure marks: is it an alarm?
 
 DASHES, FENCE_DASHES = (0, (4, 2.5)), (0, (5, 1.5, 1, 1.5))
 
+ROUND_TICKS = (1, 2, 2.5, 5, 10)  # what ticks are multiples of
 WIDTH = 8.0  # [in] of every figure
 DPI = 200  # 1600 pixels wide
 # For names in scripts that the first, bundled font lacks; used glyph by glyph where the machine has one of them.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,17 +12,17 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from reports.body import draw_body
 from reports.extent import Extent, around, whole
 from reports.focus import Focus, focus
 from reports.header import draw_header, header_height
-from reports.layout import Box, Layout, layout
+from reports.layout import Box, Layout, layout, page_layout
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
+from reports.near_panel import draw_near
 from reports.panels import panels
 from reports.quantity import KILO, number
 from reports.series_panel import draw_panel, mark_unreached
-from reports.style import INK, MUTED, WIDTH, error_colours, new_figure, place, save, style
+from reports.style import INK, MUTED, ROUND_TICKS, WIDTH, error_colours, new_figure, place, save, style
 from reports.wind_mark import draw_wind
 from tracking.outcome import Outcome
 
@@ -31,31 +30,30 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
-_NO_HEADER = 0.12  # [in] above a figure without one
 _IN_KM = 3000.0  # [m] a longer axis is labelled in km
 _BROAD, _HIGH = 0.7, 0.3  # [in] between the ticks of an x and of a y axis
-_ROUND = (1, 2, 2.5, 5, 10)  # what ticks are multiples of
 
 
-def save_track_figure(outcome: Outcome, file: str | Path, title: bool = True) -> None:
+def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False) -> None:
     """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    `title` False leaves name, verdict and reason out, for a page that says them itself. The same outcome
+    `page` makes it lower, and leaves name, verdict and reason to the page it stands on. The same outcome
     gives the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
-        save(track_figure(outcome, title), file)
+        save(track_figure(outcome, page), file)
 
 
-def track_figure(outcome: Outcome, title: bool = True) -> Figure:
+def track_figure(outcome: Outcome, page: bool = False) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
-    plan = layout(view.width / view.height, len(shown), header_height(outcome) if title else _NO_HEADER)
+    aspect, count = view.width / view.height, len(shown)
+    plan = page_layout(aspect, count) if page else layout(aspect, count, header_height(outcome))
     figure = new_figure(plan.height)
-    if title:
+    if not page:
         draw_header(figure, outcome)
     _draw_maps(figure, outcome, marked, view, plan)
-    _draw_key(figure, outcome, plan)
+    _draw_key(figure, outcome, marked, plan)
     scale, unit = (KILO, "km") if outcome.path.length >= _IN_KM else (1.0, "m")
     for panel, box, lowest in zip(shown, plan.series, plan.lowest, strict=True):
         axes = _axes(figure, box)
@@ -64,7 +62,6 @@ def track_figure(outcome: Outcome, title: bool = True) -> Figure:
         mark_unreached(axes, outcome)
         _ticks(axes.yaxis, box.height / _HIGH, 1.0)
         _ticks(axes.xaxis, box.width / _BROAD, scale)
-        axes.yaxis.set_label_coords(-0.5 / box.width, 0.5)
         axes.tick_params(labelbottom=lowest)
         if lowest:
             axes.set_xlabel(f"distance along the path [{unit}], left is positive")
@@ -86,29 +83,16 @@ def _draw_maps(figure: Figure, outcome: Outcome, marked: Focus | None, view: Ext
     frame = Rectangle((near.x_min, near.y_min), near.width, near.height)
     frame.set(facecolor="none", edgecolor=INK, linewidth=0.7, zorder=6)
     axes.add_patch(frame)
-    _draw_near(_axes(figure, plan.near), outcome, marked, near)
+    draw_near(_axes(figure, plan.near), outcome, marked, near)
 
 
-def _draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None:
-    """The surroundings of the worst point, in metres from it."""
-    draw_map(axes, outcome, near, marked)
-    draw_body(axes, outcome, marked.index)
-    axes.set_title("\n".join(textwrap.wrap(f"Worst: {marked.label}", 40)))
-    for axis, zero in ((axes.xaxis, marked.x), (axes.yaxis, marked.y)):
-        low, high = (float(end) - zero for end in axis.get_view_interval())
-        ticks = MaxNLocator(nbins=4, steps=list(_ROUND)).tick_values(low, high)
-        shown = [float(tick) for tick in ticks if low <= tick <= high]
-        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])
-    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
-
-
-def _draw_key(figure: Figure, outcome: Outcome, plan: Layout) -> None:
+def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layout) -> None:
     """What the map's colours and marks mean."""
     error = np.abs(outcome.track["cross_track"])
     beyond = bool(np.any(error[np.isfinite(error)] > outcome.corridor))
     box = plan.key
     beside = plan.key_columns > 2
-    bar = place(figure, box.left if beside else box.left + 0.1, box.top + 0.06, 1.75, 0.09)
+    bar = place(figure, box.left if beside else box.left + 0.1, box.top + 0.06, min(1.75, box.width - 0.2), 0.09)
     scale = ScalarMappable(Normalize(0.0, outcome.corridor), error_colours())
     colours = figure.colorbar(scale, cax=bar, orientation="horizontal", extend="max" if beyond else "neither")
     colours.outline.set_linewidth(0.0)
@@ -117,10 +101,10 @@ def _draw_key(figure: Figure, outcome: Outcome, plan: Layout) -> None:
         labels=[number(share * outcome.corridor) for share in (0, 0.5, 1)],
     )
     bar.tick_params(length=0, pad=2)
-    bar.set_title("distance from the path [m]", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
+    bar.set_title("distance from the path [m]", loc="left", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
     left, top = (box.left + 2.1, box.top - 0.14) if beside else (box.left, box.top + 0.38)
     figure.legend(
-        handles=legend_entries(outcome), loc="upper left", ncols=plan.key_columns, columnspacing=1.4,
+        handles=legend_entries(outcome, marked), loc="upper left", ncols=plan.key_columns, columnspacing=1.4,
         handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
         bbox_to_anchor=(left / WIDTH, 1.0 - top / plan.height),
     )  # fmt: skip
@@ -128,7 +112,7 @@ def _draw_key(figure: Figure, outcome: Outcome, plan: Layout) -> None:
 
 def _ticks(axis: Axis, room: float, scale: float) -> None:
     """At most as many round ticks as `room` says, labelled in `scale` [m]."""
-    axis.set_major_locator(MaxNLocator(nbins=max(2, min(8, int(room))), steps=list(_ROUND)))
+    axis.set_major_locator(MaxNLocator(nbins=max(2, min(8, int(room))), steps=list(ROUND_TICKS)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / scale, 4)))
 
 

@@ -98,6 +98,11 @@ def test_kml_is_well_formed_and_escaped(route, tmp_path):
     lon, lat, height = map(float, first.split(","))
     assert (lat, lon, height) == pytest.approx((48.1, 11.6, 300.0), abs=1e-8)
     assert marks["flown"].find(f".//{KML}altitudeMode").text == "absolute"
+    [worst] = (mark for name, mark in marks.items() if name.startswith("Worst point: cross-track error"))
+    assert worst.find(f".//{KML}altitudeMode").text == "absolute"
+    index = int(np.argmax(np.abs(route.track["cross_track"])))
+    height = float(worst.find(f".//{KML}coordinates").text.split(",")[2])
+    assert height == pytest.approx(route.track["z"][index], abs=1e-3)
 
 
 def test_geojson(route, tmp_path):

@@ -45,7 +45,7 @@ def test_no_case(tmp_path):
 
 
 def test_bare_outcome(yard, tmp_path):
-    bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), (), ()))
+    bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), ()))
     write_pdf([bare], tmp_path / "a.pdf", "Bare")
 
 
@@ -64,12 +64,36 @@ def test_a_missing_folder(yard, tmp_path):
         write_pdf([yard], tmp_path / "no" / "a.pdf", "x")
 
 
+def spaced(turn, count):
+    """`count` turns too tight, the later the worse, each followed by one that is not."""
+    bad = [dataclasses.replace(turn, s=100.0 * i, available=50.0 - i, required=530.0) for i in range(count)]
+    return Feasibility(tuple(found for turn in bad for found in (turn, dataclasses.replace(turn, available=900.0))), ())
+
+
 def test_the_worst_turns_are_listed_along_the_path(route):
-    turns = tuple(
-        dataclasses.replace(route.feasibility.tight[0], s=float(1000 - i), available=float(i)) for i in range(50)
-    )
-    told = case_data(dataclasses.replace(route, feasibility=Feasibility(turns, turns, ())), "f.svg", "")
+    tight = dataclasses.replace(route, feasibility=spaced(route.feasibility.tight[0], 50))
+    told = case_data(tight, "f.svg", "")
     assert told["tight_count"] == 50
-    assert len(told["tight"]) == 12
-    assert told["tight"][0]["available"] == "11 m"
-    assert told["tight"][-1]["available"] == "0 m"
+    assert [row["available"] for row in told["tight"]] == ["6 m", "5 m", "4 m", "3 m", "2 m", "1 m"]
+
+
+def test_notes_say_their_file_once_and_are_no_more_than_a_few(route):
+    told = case_data(dataclasses.replace(route, notes=tuple(f"a.plan: note {i}" for i in range(9))), "f.svg", "")
+    assert told["notes_about"] == "a.plan"
+    assert told["notes_count"] == 9
+    assert told["notes"] == [f"note {i}" for i in range(6)]
+    told = case_data(dataclasses.replace(route, notes=("a.plan: x", "b.plan: y")), "f.svg", "")
+    assert (told["notes_about"], told["notes"]) == ("", ["a.plan: x", "b.plan: y"])
+
+
+def test_a_page_a_case(route, yard, sharp_yard, tmp_path):
+    notes = tuple(f"route.plan: item {i}: DO_SET_CAM_TRIGG_DIST (206): it is no waypoint" for i in range(20))
+    full = dataclasses.replace(route, feasibility=spaced(route.feasibility.tight[0], 20), notes=notes)
+    command = "trackworthy track route.plan --vehicle c172x --wind 10@270 --corners fly-by --corridor 20"
+    write_pdf([full, yard, sharp_yard, route], tmp_path / "a.pdf", "Four cases", commands=[command] * 4)
+    assert pages(tmp_path / "a.pdf") == 5
+
+
+def test_many_cases(yard, tmp_path):
+    write_pdf([yard] * 40, tmp_path / "a.pdf", "Forty cases")
+    assert pages(tmp_path / "a.pdf") in (42, 43)

@@ -8,9 +8,10 @@ from PIL import Image
 from planners.map import Map, Raster
 from planners.path import Path
 from reports.focus import focus
+from reports.quantity import text as quantity
 from reports.style import style
 from reports.track_figure import save_track_figure, track_figure
-from tracking.feasibility import Feasibility
+from tracking.feasibility import Feasibility, Turn
 from tracking.verdict import Verdict
 
 
@@ -35,7 +36,7 @@ def test_png_is_1600_wide_and_the_same_bytes(name, request, tmp_path):
 
 def test_svg_is_the_same_bytes_and_small(route, tmp_path):
     for file in ("a.svg", "b.svg"):
-        save_track_figure(route, tmp_path / file, title=False)
+        save_track_figure(route, tmp_path / file, page=True)
     first = (tmp_path / "a.svg").read_bytes()
     assert first == (tmp_path / "b.svg").read_bytes()
     assert len(first) < 1_000_000
@@ -49,26 +50,26 @@ def test_a_long_track_stays_small(route, tmp_path):
     assert (tmp_path / "a.svg").stat().st_size < 2_000_000
 
 
-def texts(outcome, title=True):
+def texts(outcome, page=False):
     with style():
-        figure = track_figure(outcome, title)
+        figure = track_figure(outcome, page)
         found = [text.get_text() for text in figure.findobj(lambda artist: hasattr(artist, "get_text"))]
     return "\n".join(found), figure
 
 
 def test_says_what_it_shows(route, yard):
     text, _ = texts(route)
-    parts = ("delivery-route", "NOT TRACKWORTHY", "c172x · lqr · 55 m/s", "wind 10 m/s", "cross_track_max")
-    for part in (*parts, "Bank", "east [km]", "height [m]", "curvature [1/km]"):
+    parts = ("delivery-route", "NOT TRACKWORTHY", "c172x · lqr · 55 m/s", "wind 10 m/s", "cross-track error")
+    for part in (*parts, "Bank", "east [km]", "Height [m]", "Curvature [1/km]"):
         assert part in text
     text, _ = texts(yard)
-    for part in ("Steering", "Lateral acceleration", "east [m]", "curvature [1/m]", "driven"):
+    for part in ("Steering", "Lateral acceleration", "east [m]", "Curvature [1/m]", "driven"):
         assert part in text
     assert "wind" not in text
 
 
-def test_without_a_title(route):
-    assert "delivery-route" not in texts(route, title=False)[0]
+def test_a_page_says_the_title_itself(route):
+    assert "delivery-route" not in texts(route, page=True)[0]
 
 
 @pytest.mark.parametrize("name", ["route", "yard"])
@@ -128,7 +129,7 @@ def test_no_name_runs_into_the_badge(yard):
 
 
 def test_without_requirements_and_turns(yard, tmp_path):
-    bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), (), ()))
+    bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), ()))
     save_track_figure(bare, tmp_path / "a.png")
 
 
@@ -136,7 +137,71 @@ def test_the_worst_point_is_the_deciding_metrics(route):
     marked = focus(route)
     worst = int(np.argmax(np.abs(route.track["cross_track"])))
     assert marked.index == worst
-    assert marked.label.startswith("cross_track_max")
+    assert marked.title == "Worst point"
+    assert marked.alarm
+    assert marked.label.startswith("cross-track error")
+
+
+def test_a_good_run_has_no_worst_point(yard):
+    marked = focus(yard)
+    assert marked.title == "Closest to a limit"
+    assert not marked.alarm
+    text, _ = texts(yard)
+    assert "closest to a limit" in text
+    assert "orst" not in text
+
+
+def test_without_a_deciding_place_the_largest_error_is_marked(yard):
+    marked = focus(dataclasses.replace(yard, verdict=Verdict(())))
+    assert marked.title == "Largest cross-track error"
+    assert marked.label == quantity(yard.metrics["cross_track_max"].value, "m")
+
+
+def curve(turns):
+    """A feasibility of neighbouring `turns`, each (s, available) with 530 m required."""
+    return Feasibility(tuple(Turn(s, s, 0.0, 0.1, available, 530.0) for s, available in turns), ())
+
+
+def test_a_stretch_is_one_band_and_one_marker(route):
+    turns = [(1000.0 * i, 100.0 + i if 5 <= i <= 25 else 900.0) for i in range(1, 40)]
+    bare, tight = (
+        track_figure(dataclasses.replace(route, feasibility=feasibility))
+        for feasibility in (Feasibility((), ()), curve(turns))
+    )
+    counts = [[len(axes.lines) for axes in figure.axes] for figure in (bare, tight)]
+    assert counts[1][0] - counts[0][0] == 2
+    band = next(line for line in tight.axes[0].lines if line.get_linewidth() == 7.0)
+    assert band.get_xdata()[0] == pytest.approx(route.path.point_at(5000.0)[0])
+    assert band.get_xdata()[-1] == pytest.approx(route.path.point_at(25_000.0)[0])
+
+
+@pytest.mark.parametrize("available", [(100.0,), (100.0, 900.0, 100.0), (100.0, 100.0)])
+def test_single_turns_and_the_ends_of_the_path(route, available, tmp_path):
+    places = np.linspace(0.0, route.path.length, len(available))
+    tight = dataclasses.replace(route, feasibility=curve(zip(places.tolist(), available, strict=True)))
+    save_track_figure(tight, tmp_path / "a.png")
+
+
+@pytest.mark.parametrize("name", ["route", "yard"])
+def test_on_a_page_a_figure_is_low(name, request):
+    _, figure = texts(request.getfixturevalue(name), page=True)
+    width, height = figure.get_size_inches()
+    assert height < 0.7 * width
+
+
+@pytest.mark.parametrize("page", [False, True])
+@pytest.mark.parametrize("name", ["route", "yard", "sharp_yard"])
+def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, request):
+    with style():
+        figure = track_figure(request.getfixturevalue(name), page)
+        drawn = figure.get_tightbbox()
+        assert drawn.x0 >= 0.0
+        assert drawn.y0 >= 0.0
+        assert drawn.x1 <= figure.get_size_inches()[0]
+        assert drawn.y1 <= figure.get_size_inches()[1]
+        for axes in figure.axes:
+            if axes.get_legend():
+                assert axes.get_legend().get_window_extent().x0 > axes._left_title.get_window_extent().x1
 
 
 def test_a_time_that_was_not_flown_is_not_marked_on_the_track(route):

@@ -1,0 +1,41 @@
+"""The one point that a figure marks, from near."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from matplotlib.ticker import MaxNLocator
+
+from reports.body import draw_body
+from reports.extent import Extent
+from reports.focus import Focus
+from reports.map_panel import draw_map
+from reports.quantity import number
+from reports.style import ROUND_TICKS
+from tracking.outcome import Outcome
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_LABEL, _SMALLEST_LABEL = 8.0, 6.0  # [pt]
+_OVERHANG = 0.6  # [in] that a label may be wider than the box, into the gap beside it
+_LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
+
+
+def draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None:
+    """Draw the surroundings of `marked` on `axes`, in metres from it."""
+    draw_map(axes, outcome, near, marked)
+    draw_body(axes, outcome, marked.index)
+    axes.set_title(marked.title, pad=_TITLE_PAD)
+    label = axes.annotate(
+        marked.label, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD), textcoords="offset points",
+        fontsize=_LABEL, va="bottom", annotation_clip=False,
+    )  # fmt: skip
+    room = min(axes.bbox.width + _OVERHANG * axes.figure.dpi, axes.figure.bbox.width - axes.bbox.x0)
+    label.set_fontsize(max(_SMALLEST_LABEL, _LABEL / max(1.0, label.get_window_extent().width / room)))
+    for axis, zero in ((axes.xaxis, marked.x), (axes.yaxis, marked.y)):
+        low, high = (float(end) - zero for end in axis.get_view_interval())
+        ticks = MaxNLocator(nbins=4, steps=list(ROUND_TICKS)).tick_values(low, high)
+        shown = [float(tick) for tick in ticks if low <= tick <= high]
+        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])
+    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
