@@ -65,7 +65,8 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     limits = make_vehicle(case.vehicle, case.steering_hz).limits
     wind = parse_wind(case.wind) if case.wind else Wind()
     file = files.read(folder / case.path)
-    notes = [f"{case.path}: {note}" for note in file.notes]
+    name = FilePath(case.path).name
+    notes = [f"{name}: {note}" for note in file.notes]
     speed, note = _speed(case, file.speed, limits)
     notes += note
     scenario = load_scenario(_scenario_name(case.scenario, folder)) if case.scenario else None
@@ -76,7 +77,7 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     corridor = _metres(case.corridor, "corridor") or limits.corridor
     if case.corners == "fly-by":
         path, rounded = _rounded(path, limits, speed, wind, corridor)
-        notes += [f"{case.path}: {_corner_note(corner)}" for corner in rounded]
+        notes += [f"{name}: {_corner_note(corner)}" for corner in rounded]
     trial = Trial(
         name=case.name or path.name,
         path=path,
@@ -103,9 +104,10 @@ def _speed(case: Case, planned: float | None, limits: Limits) -> tuple[float, Se
         return parse_speed(case.speed), ()
     if planned is None:
         return limits.speed, ()
+    name = FilePath(case.path).name
     if limits.speed_min <= planned <= limits.speed_max:
-        return planned, (f"{case.path}: flown at the {planned:g} m/s that it sets",)
-    note = f"{case.path}: sets {planned:g} m/s, which is not a speed of this vehicle; taken at {limits.speed:g} m/s"
+        return planned, (f"{name}: flown at the {planned:g} m/s that it sets",)
+    note = f"{name}: sets {planned:g} m/s, which is not a speed of this vehicle; taken at {limits.speed:g} m/s"
     return limits.speed, (note,)
 
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from reports.deciding import deciding
-from reports.quantity import reading_unit, text
+from reports.quantity import text
 from reports.words import closest, missed
 from tracking.metric import Metric
 from tracking.outcome import Outcome
@@ -35,7 +34,7 @@ class Focus:
 
 def focus(outcome: Outcome) -> Focus | None:
     """Where the deciding metric was worst; one without a place gives way to the largest cross-track error."""
-    margin, cross_track = deciding(outcome.verdict), outcome.metrics.get("cross_track_max")
+    margin, cross_track = outcome.verdict.decisive, outcome.metrics.get("cross_track_max")
     for metric in (margin.metric if margin else None, cross_track):
         if metric is not None and metric.valid and (found := _locate(outcome, metric)):
             return found
@@ -59,7 +58,7 @@ def _locate(outcome: Outcome, metric: Metric) -> Focus | None:
 
 def _told(outcome: Outcome, metric: Metric) -> tuple[str, str]:
     """Title and label: a metric that decides is told with its limit."""
-    value, margin = text(metric.value, reading_unit(metric)), deciding(outcome.verdict)
+    value, margin = text(metric.value, metric.unit), outcome.verdict.decisive
     if margin is None or margin.metric is not metric:
         return _LARGEST, value
     return ("Closest to a limit", closest(margin)) if margin.met else ("Worst point", missed(margin))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from importlib.metadata import PackageNotFoundError, version
 
-from reports.deciding import deciding
 from reports.infeasible import turned
 from reports.quantity import degrees
 from reports.words import reason, sentence
@@ -20,7 +19,7 @@ Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
 def to_json(outcome: Outcome) -> dict[str, Json]:
     """`outcome` as JSON values: SI units, angles in degrees with unit "deg", null where there is no number."""
     verdict, limits, wind = outcome.verdict, outcome.limits, outcome.conditions.wind
-    decided = deciding(verdict)
+    decided = verdict.decisive
     frame = outcome.track.frame or outcome.path.frame
     return {
         "name": outcome.name,

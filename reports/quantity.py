@@ -5,11 +5,8 @@ from __future__ import annotations
 import math
 
 from planners.units import STANDARD_GRAVITY
-from tracking.metric import Metric
 
 KILO = 1000.0
-# Metrics with unit "1" that are a part of something, and read as per cent; other pure numbers are counts and ratios.
-_SHARES = ("completion", "corridor_fraction", "control_saturation", "friction_use_max", "range_used")
 _MOST_DIGITS = 9  # beyond them two numbers may look the same
 
 # SI unit -> what it is multiplied by, and the unit shown after it, with its space
@@ -22,11 +19,6 @@ _SHOWN = {
     "1": (1.0, ""),
     "": (1.0, ""),
 }
-
-
-def reading_unit(metric: Metric) -> str:
-    """The unit to hand to the functions here so that `metric` reads well: its own, or "share"."""
-    return "share" if metric.unit == "1" and metric.name in _SHARES else metric.unit
 
 
 def text(value: float, unit: str, digits: int = 3) -> str:

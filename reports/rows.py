@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from reports.quantity import pair, reading_unit, text, text_with_g
+from reports.quantity import pair, text, text_with_g
 from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
 
@@ -66,7 +66,7 @@ def unmeasured(outcome: Outcome, called: Callable[[str], str] = str) -> list[str
 
 def _required(margin: Margin) -> Row:
     metric, requirement = margin.metric, margin.requirement
-    value, limit = pair(metric.value, requirement.limit, reading_unit(metric), margin.met)
+    value, limit = pair(metric.value, requirement.limit, metric.unit, margin.met)
     if metric.unit == "m/s^2":
         limit = text_with_g(requirement.limit, metric.unit)
     comparison = "≤" if requirement.comparison == "<=" else "≥"
@@ -75,7 +75,7 @@ def _required(margin: Margin) -> Row:
         metric.name,
         _with_g(value, metric),
         f"{comparison} {limit}",
-        _signed(margin.value, reading_unit(metric)),
+        _signed(margin.value, metric.unit),
         *_place(metric),
         margin.met,
         metric.note,
@@ -83,7 +83,7 @@ def _required(margin: Margin) -> Row:
 
 
 def _plain(metric: Metric) -> Row:
-    value = text(metric.value, reading_unit(metric))
+    value = text(metric.value, metric.unit)
     return Row(_group(metric.name), metric.name, _with_g(value, metric), "", "", *_place(metric), None, metric.note)
 
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-from reports.deciding import deciding
 from reports.names import spoken
-from reports.quantity import pair, reading_unit, text
+from reports.quantity import pair, text
 from sim.wind import Wind
 from tracking.feasibility import Slope, Stretch
 from tracking.loop import COMPLETED
@@ -57,7 +56,7 @@ def wind_words(wind: Wind) -> str:
 
 def reason(outcome: Outcome) -> str:
     """Why the verdict is what it is: the requirement that decides, where, and what asks too much there."""
-    margin = deciding(outcome.verdict)
+    margin = outcome.verdict.decisive
     if margin is None:
         return "no requirement was stated"
     if margin.met:
@@ -75,7 +74,7 @@ def reason(outcome: Outcome) -> str:
 
 def closest(margin: Margin) -> str:
     """A met requirement: "cross-track error 12.3 m of 30 m"."""
-    value, limit = pair(margin.metric.value, margin.requirement.limit, reading_unit(margin.metric), met=True)
+    value, limit = pair(margin.metric.value, margin.requirement.limit, margin.metric.unit, met=True)
     at_least = "at least " if margin.requirement.comparison == ">=" else ""
     return f"{spoken(margin.metric.name)} {value} of {at_least}{limit}"
 
@@ -85,7 +84,7 @@ def missed(margin: Margin) -> str:
     if math.isnan(margin.value):
         note = f": {margin.metric.note}" if margin.metric.note else ""
         return f"{spoken(margin.metric.name)} could not be measured{note}"
-    value, limit = pair(margin.metric.value, margin.requirement.limit, reading_unit(margin.metric))
+    value, limit = pair(margin.metric.value, margin.requirement.limit, margin.metric.unit)
     return f"{spoken(margin.metric.name)} {value} {'>' if margin.requirement.comparison == '<=' else '<'} {limit}"
 
 

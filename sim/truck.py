@@ -117,10 +117,10 @@ class Truck:
         held = self._grip_limited()
         curvature = math.tan(held) / WHEELBASE
         rear_speed = float(plant.speed) * math.cos(math.atan(0.5 * math.tan(held)))
-        demand = rear_speed * rear_speed * math.tan(self._steering) / WHEELBASE
+        lateral = rear_speed * rear_speed * curvature
         return State(
             self._t, x, y, self._z, heading, heading, rear_speed, rear_speed, 0.0, curvature,
             saturated or held != self._steering,
-            (self._steering, steering_rate, rear_speed * rear_speed * curvature, abs(demand) / self._grip),
+            (self._steering, steering_rate, lateral, abs(lateral) / self._grip),
             "" if math.isfinite(x + y + heading) else "not a number",
         )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import groupby
 
 import numpy as np
 
@@ -35,6 +34,11 @@ class Turn:
     def margin(self) -> float:
         """Available minus required radius [m]."""
         return self.available - self.required
+
+    @property
+    def tangent(self) -> float:
+        """How far before and after the vertex [m] the required arc begins and ends."""
+        return self.required * math.tan(abs(self.angle) / 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,8 +74,13 @@ class Feasibility:
 
     @property
     def stretches(self) -> tuple[Stretch, ...]:
-        """The turns too tight, those that follow each other directly as one."""
-        runs = (list(group) for tight, group in groupby(self.turns, lambda turn: turn.margin < 0.0) if tight)
+        """The turns too tight, those whose required arcs would overlap as one."""
+        runs: list[list[Turn]] = []
+        for turn in self.tight:
+            if runs and turn.s - runs[-1][-1].s <= runs[-1][-1].tangent + turn.tangent:
+                runs[-1].append(turn)
+            else:
+                runs.append([turn])
         return tuple(Stretch(run[0].s, run[-1].s, min(run, key=lambda turn: turn.margin)) for run in runs)
 
     @property

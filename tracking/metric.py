@@ -11,7 +11,7 @@ SCHEMA_VERSION = 1  # of the metric definitions: a changed definition is a new v
 
 @dataclass(frozen=True, slots=True)
 class Metric:
-    """A measured quantity in SI units (angles in radians).
+    """A measured quantity in SI units: angles in radians, "share" for a part of a whole, "1" for counts and ratios.
 
     `better` is "lower", "higher" or "neither". `s` [m] and `t` [s] tell where along the path and when it was worst
     (NaN where it has no place). A metric that could not be measured has `valid` False, a NaN value, and its reason

@@ -32,9 +32,16 @@ class Verdict:
         return self.trackworthy == (self.expect == TRACKWORTHY)
 
     @property
-    def decisive(self) -> Margin:
-        """The margin that decides: the worst relative to its limit, a missed one before any met one."""
-        return min(self.margins, key=_relative)
+    def decisive(self) -> Margin | None:
+        """The margin that decides, the worst relative to its limit; None without requirements.
+
+        Where all are met, what cannot be better (the whole path, no incursion) is not close to anything, however small
+        its margin.
+        """
+        worst = min(self.margins, key=_relative, default=None)
+        if worst is None or not worst.met:
+            return worst
+        return min((margin for margin in self.margins if not _perfect(margin)), key=_relative, default=worst)
 
 
 def _relative(margin: Margin) -> float:
@@ -42,6 +49,13 @@ def _relative(margin: Margin) -> float:
         return -math.inf
     scale = abs(margin.requirement.limit)
     return margin.value / scale if scale > 0.0 else margin.value
+
+
+def _perfect(margin: Margin) -> bool:
+    metric = margin.metric
+    if metric.better == "higher":
+        return metric.unit == "share" and metric.value >= 1.0
+    return metric.better == "lower" and metric.value == 0.0
 
 
 def judge(metrics: Mapping[str, Metric], requirements: Sequence[Requirement], expect: str) -> Verdict:

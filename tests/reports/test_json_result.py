@@ -48,15 +48,15 @@ def test_no_number_is_null(yard):
 
 def test_infeasible_stretches(route, steep_leg):
     offers = (900.0, 69.0, 68.0, 67.0, 900.0, 65.0)
-    turns = [Turn(100.0 * i, 10.0 * i, i, math.radians(5.0), offer, 530.0) for i, offer in enumerate(offers)]
+    turns = [Turn(40.0 * i, 10.0 * i, i, math.radians(5.0), offer, 530.0) for i, offer in enumerate(offers)]
     told = to_json(dataclasses.replace(route, feasibility=Feasibility(tuple(turns), (steep_leg,))))["feasibility"]
     assert told["turns"] == 6
     first, second = told["infeasible"]
     assert first == {
-        "s": 100.0, "s_end": 300.0, "x": 30.0, "y": 3.0, "turn": pytest.approx(15.0), "available": 67.0,
+        "s": 40.0, "s_end": 120.0, "x": 30.0, "y": 3.0, "turn": pytest.approx(15.0), "available": 67.0,
         "required": 530.0, "missing": 463.0,
     }  # fmt: skip
-    assert (second["s"], second["s_end"]) == (500.0, 500.0)
+    assert (second["s"], second["s_end"]) == (200.0, 200.0)
     assert told["steep"][0]["missing"] == pytest.approx(0.04)
 
 

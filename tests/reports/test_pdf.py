@@ -66,7 +66,7 @@ def test_a_missing_folder(yard, tmp_path):
 
 def spaced(turn, count):
     """`count` turns too tight, the later the worse, each followed by one that is not."""
-    bad = [dataclasses.replace(turn, s=100.0 * i, available=50.0 - i, required=530.0) for i in range(count)]
+    bad = [dataclasses.replace(turn, s=10_000.0 * i, available=50.0 - i, required=530.0) for i in range(count)]
     return Feasibility(tuple(found for turn in bad for found in (turn, dataclasses.replace(turn, available=900.0))), ())
 
 

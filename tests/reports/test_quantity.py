@@ -2,8 +2,7 @@ import math
 
 import pytest
 
-from reports.quantity import degrees, number, pair, reading_unit, span, text, text_with_g
-from tracking.metric import Metric
+from reports.quantity import degrees, number, pair, span, text, text_with_g
 
 
 @pytest.mark.parametrize(
@@ -51,11 +50,6 @@ def test_a_met_limit_keeps_its_few_digits():
 
 def test_pair_ends_for_equal_numbers():
     assert pair(30.0, 30.0, "m") == ("30 m", "30 m")
-
-
-def test_shares_are_read_as_per_cent_and_counts_are_not():
-    assert reading_unit(Metric("completion", 1.0, "1")) == "share"
-    assert reading_unit(Metric("incursion_count", 1.0, "1")) == "1"
 
 
 @pytest.mark.parametrize(("value", "shown"), [(0.00004, "0.00004"), (1234.5, "1234"), (0.05, "0.05"), (99.96, "100")])

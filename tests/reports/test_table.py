@@ -57,11 +57,11 @@ def test_markup_in_names_is_text(yard):
 
 
 def with_turns(outcome, count):
-    """`outcome` with `count` stretches of two turns each, the later the tighter."""
+    """`outcome` with `count` stretches of two turns each, whose arcs overlap, the later the tighter."""
     turns = []
     for i in range(count):
-        turns += [Turn(100.0 * i + add, 0, 0, 0.5, 90.0 - i, 530.0) for add in (0.0, 40.0)]
-        turns.append(Turn(100.0 * i + 50.0, 0, 0, 0.5, 900.0, 530.0))
+        turns += [Turn(100.0 * i + add, 0, 0, 0.1, 90.0 - i, 530.0) for add in (0.0, 40.0)]
+        turns.append(Turn(100.0 * i + 50.0, 0, 0, 0.1, 900.0, 530.0))
     return dataclasses.replace(outcome, feasibility=Feasibility(tuple(turns), ()))
 
 
@@ -70,7 +70,7 @@ def test_infeasible_stretches_are_listed(route):
     start = lines.index("turns too tight for the vehicle: 2")
     assert lines[start + 1].split() == ["where", "turn", "needs", "radius", "offers", "missing"]
     first, second = (line.split() for line in lines[start + 3 : start + 5])
-    assert first == ["0", "–", "40", "m", "57.3°", "left", "530", "m", "90", "m", "440", "m"]
+    assert first == ["0", "–", "40", "m", "11.5°", "left", "530", "m", "90", "m", "440", "m"]
     assert second[-6:] == ["530", "m", "89", "m", "441", "m"]
     assert lines[start + 5] == ""
     assert max(map(len, lines[start : start + 5])) <= 80
@@ -79,7 +79,7 @@ def test_infeasible_stretches_are_listed(route):
 def test_no_more_than_the_worst_stretches_are_listed(route):
     text = printed(with_turns(route, 20))
     assert "and 12 more" in text
-    assert text.count("57.3° left") == 8
+    assert text.count("11.5° left") == 8
     assert "1200 – 1240" not in text
     assert "71 m" in text
 

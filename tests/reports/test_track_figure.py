@@ -158,12 +158,12 @@ def test_without_a_deciding_place_the_largest_error_is_marked(yard):
 
 
 def curve(turns):
-    """A feasibility of neighbouring `turns`, each (s, available) with 530 m required."""
-    return Feasibility(tuple(Turn(s, s, 0.0, 0.1, available, 530.0) for s, available in turns), ())
+    """A feasibility of `turns`, each (s, available) with 10 km required: arcs of a kilometre."""
+    return Feasibility(tuple(Turn(s, s, 0.0, 0.1, available, 10_000.0) for s, available in turns), ())
 
 
 def test_a_stretch_is_one_band_and_one_marker(route):
-    turns = [(1000.0 * i, 100.0 + i if 5 <= i <= 25 else 900.0) for i in range(1, 40)]
+    turns = [(1000.0 * i, 100.0 + i if 5 <= i <= 25 else 20_000.0) for i in range(1, 40)]
     bare, tight = (
         track_figure(dataclasses.replace(route, feasibility=feasibility))
         for feasibility in (Feasibility((), ()), curve(turns))

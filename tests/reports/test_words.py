@@ -47,7 +47,7 @@ def test_the_worst_turn_is_named_when_none_is_near(route):
 
 
 def test_a_stretch_is_one_turn(route):
-    turns = tuple(Turn(s, 0, 0, 0.1, 900.0 - s / 5, 530.0) for s in range(1000, 3500, 100))
+    turns = tuple(Turn(s, 0, 0, 0.2, 900.0 - s / 5, 530.0) for s in range(1000, 3500, 100))
     assert reason(judged(route, (error(42.1), "<=", 30.0), turns=turns)).endswith(
         "at 3.41 km: the turn there, from 1.9 km to 3.4 km, needs a 530 m radius and offers 220 m"
     )
@@ -81,7 +81,7 @@ def test_unmeasured_is_missed(route):
 
 
 def test_ended_early_and_others_missed(route):
-    completion = Metric("completion", 0.5, "1", "higher", s=20e3)
+    completion = Metric("completion", 0.5, "share", "higher", s=20e3)
     track = dataclasses.replace(route.track, ended="stall")
     outcome = judged(route, (completion, ">=", 1.0), (error(30.5), "<=", 30.0), track=track)
     assert reason(outcome) == (
@@ -90,7 +90,7 @@ def test_ended_early_and_others_missed(route):
 
 
 def test_what_cannot_be_better_is_not_the_closest(route):
-    completion = Metric("completion", 1.0, "1", "higher")
+    completion = Metric("completion", 1.0, "share", "higher")
     incursions = Metric("incursion_count", 0.0, "1")
     outcome = judged(route, (completion, ">=", 1.0), (incursions, "<=", 0.0), (error(3.0), "<=", 30.0))
     assert reason(outcome) == "every requirement met; closest: cross-track error 3 m of 30 m"

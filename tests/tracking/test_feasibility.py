@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sample_paths import G, arcs, right_angle
 
 from planners.path import Path
+from sample_paths import G, arcs, right_angle
 from sim.vehicles import make_vehicle
 from sim.wind import Wind
 from tracking.feasibility import assess, required_radius
@@ -58,6 +58,12 @@ def test_the_infeasible_stretches_are_named():
     assert (first.s, first.s_end) == pytest.approx((1500.0, 1657.0), abs=50.0)
     assert first.worst.available == pytest.approx(100.0, rel=0.05)
     assert first.worst.margin == first.worst.available - first.worst.required
+
+
+def test_corners_far_apart_are_stretches_of_their_own():
+    corners = Path([[0.0, 0.0], [4000.0, 0.0], [4000.0, 4000.0], [8000.0, 4000.0]])
+    found = assess(corners, AIRCRAFT, V, Wind(), 30.0)
+    assert [(stretch.s, stretch.s_end) for stretch in found.stretches] == [(4000.0, 4000.0), (8000.0, 8000.0)]
 
 
 def test_a_feasible_plan_has_none():

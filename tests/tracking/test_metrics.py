@@ -194,6 +194,6 @@ def test_with_equal_weights_the_quantile_is_the_inverted_cdf(values, share):
 def test_every_metric_has_a_unit_and_a_direction():
     for name, metric in measure(run_along(np.linspace(0, 100, 11), np.zeros(11))).items():
         assert metric.name == name
-        assert metric.unit in {"m", "s", "1", "rad", "rad/s", "m/s", "m/s^2", "g"}
+        assert metric.unit in {"m", "s", "1", "share", "rad", "rad/s", "m/s", "m/s^2", "g"}
         assert metric.better in {"lower", "higher", "neither"}
         assert metric.valid or metric.note

@@ -85,3 +85,20 @@ def test_the_users_limit_takes_the_place_of_the_default():
         ("bank_max", "<=", 1.0),
         ("cross_track_p95", ">=", 0.0),
     ]
+
+
+def test_the_decisive_margin_is_the_worst_missed_one_else_the_closest_that_could_be_better():
+    whole = Metric("completion", 1.0, "share", "higher")
+    metrics = {**METRICS, "completion": whole}
+    met = [
+        Requirement("completion", ">=", 1.0),
+        Requirement("bank_max", "<=", 0.7),
+        Requirement("cross_track_p95", "<=", 9),
+    ]
+    closest = judge(metrics, met, TRACKWORTHY).decisive
+    assert closest is not None
+    assert closest.metric.name == "bank_max"
+    missed = judge(metrics, [*met, Requirement("lateral_acceleration_max", "<=", 1.0)], TRACKWORTHY).decisive
+    assert missed is not None
+    assert missed.metric.name == "lateral_acceleration_max"
+    assert judge(metrics, [], TRACKWORTHY).decisive is None

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from planners.clearance import clearance
-from tracking.metric import Metric
+from tracking.metric import Metric, Where
 from tracking.metrics.corridor import excursions
 from tracking.metrics.errors import centred_weights
 from tracking.run import Run
@@ -29,9 +29,10 @@ def body_clearance(run: Run) -> list[Metric]:
     worst = int(np.nanargmin(distance))
     where = run.where(worst)
     inside = distance < 0.0
+    within = where if inside.any() else Where()
     return [
         Metric("clearance_min", float(distance[worst]), "m", "higher", **where),
-        Metric("incursion_count", excursions(inside), "1", **where),
-        Metric("incursion_time", float(centred_weights(track["t"])[inside].sum()), "s", **where),
-        Metric("incursion_depth", max(-float(distance[worst]), 0.0), "m", **where),
+        Metric("incursion_count", excursions(inside), "1", **within),
+        Metric("incursion_time", float(centred_weights(track["t"])[inside].sum()), "s", **within),
+        Metric("incursion_depth", max(-float(distance[worst]), 0.0), "m", **within),
     ]

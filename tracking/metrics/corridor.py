@@ -26,7 +26,7 @@ def corridor(run: Run) -> list[Metric]:
     distance = float(centred_weights(track.distance)[outside].sum()) + missing
     time = float(centred_weights(track["t"])[outside].sum())
     return [
-        Metric("corridor_fraction", inside, "1", "higher", **where),
+        Metric("corridor_fraction", inside, "share", "higher", **where),
         Metric("corridor_violation_count", excursions(outside) + (missing > 0.0), "1", **where),
         Metric("corridor_violation_time", time, "s", **where),
         Metric("corridor_violation_distance", distance, "m", **where),
@@ -45,7 +45,7 @@ def completion(run: Run) -> list[Metric]:
     passed = int(np.searchsorted(run.path.s, reached, side="right"))
     note = f"{passed} of {len(run.path.s)} waypoints; {run.track.ended}"
     end = float(run.track["t"][-1])
-    return [Metric("completion", reached / run.path.length, "1", "higher", s=reached, t=end, note=note)]
+    return [Metric("completion", reached / run.path.length, "share", "higher", s=reached, t=end, note=note)]
 
 
 def lengths(run: Run) -> list[Metric]:
@@ -57,5 +57,5 @@ def lengths(run: Run) -> list[Metric]:
         Metric("length_ratio", track / path, "1", "neither"),
     ]
     if run.max_range is not None:
-        metrics.append(Metric("range_used", track / run.max_range, "1"))
+        metrics.append(Metric("range_used", track / run.max_range, "share"))
     return metrics

@@ -84,16 +84,13 @@ def cross_track(run: Run) -> list[Metric]:
     if total == 0.0:
         weight, total = np.ones(len(size)), float(len(size))
     worst = int(np.argmax(size))
-    where = errors.where(worst)
     values = {
         "mean": float(np.sum(errors.e * weight) / total),
         "rms": float(np.sqrt(np.sum(size**2 * weight) / total)),
         "p50": weighted_quantile(size, weight, 0.50),
         "p95": weighted_quantile(size, weight, 0.95),
         "p99": weighted_quantile(size, weight, 0.99),
-        "max": float(size[worst]),
     }
     better = {"mean": "neither"}
-    return [
-        Metric(f"cross_track_{name}", value, "m", better.get(name, "lower"), **where) for name, value in values.items()
-    ]
+    metrics = [Metric(f"cross_track_{name}", value, "m", better.get(name, "lower")) for name, value in values.items()]
+    return [*metrics, Metric("cross_track_max", float(size[worst]), "m", **errors.where(worst))]

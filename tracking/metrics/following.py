@@ -38,10 +38,9 @@ def speed(run: Run) -> list[Metric]:
 def _rms_and_max(name: str, error: Floats, unit: str, run: Run) -> list[Metric]:
     finite = np.where(np.isfinite(error), np.abs(error), 0.0)
     worst = int(np.argmax(finite))
-    where = run.where(worst)
     return [
-        Metric(f"{name}_rms", float(np.sqrt(np.mean(finite**2))), unit, **where),
-        Metric(f"{name}_max", float(finite[worst]), unit, **where),
+        Metric(f"{name}_rms", float(np.sqrt(np.mean(finite**2))), unit),
+        Metric(f"{name}_max", float(finite[worst]), unit, **run.where(worst)),
     ]
 
 

@@ -32,7 +32,7 @@ def ground_loads(run: Run) -> list[Metric]:
         _extreme("steering_rate_max", np.abs(track["steering_rate"]), "rad/s", run),
         _extreme("lateral_acceleration_max", np.abs(track["lateral_acceleration"]), "m/s^2", run),
         _extreme("lateral_acceleration_demanded", demanded, "m/s^2", run),
-        _extreme("friction_use_max", track["friction_use"], "1", run),
+        _extreme("friction_use_max", track["friction_use"], "share", run),
     ]
 
 
@@ -41,7 +41,7 @@ def saturation(run: Run) -> list[Metric]:
     at_limit = run.track["saturated"] > 0.0
     if "throttle" in run.track:
         at_limit = at_limit | (run.track["throttle"] >= 1.0)
-    return [Metric("control_saturation", float(np.mean(at_limit)), "1")]
+    return [Metric("control_saturation", float(np.mean(at_limit)), "share")]
 
 
 def _extreme(name: str, values: Floats, unit: str, run: Run, better: str = "lower") -> Metric:
