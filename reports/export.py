@@ -6,21 +6,35 @@ from collections.abc import Callable
 from pathlib import Path
 
 from planners.errors import InputError
+from planners.path import Path as PlannedPath
+from reports.files import check_folder
+from reports.geographic import frame_of
 from tracking.outcome import Outcome
 
 
 def export(outcome: Outcome, file: str | Path) -> None:
-    """Write `outcome` to `file` as `.csv`, `.kml`, `.geojson` or `.tlog`.
+    """Write `outcome` to `file` as `.csv`, `.kml`, `.geojson` or `.tlog`, whole or not at all.
 
-    All but CSV need to know where on the planet the path lies. The file appears whole or not at all. Raises
-    `InputError` for another suffix, for a path without a place, and where the folder does not exist.
+    Raises `InputError` as `check` does.
+    """
+    check(outcome.path, file)
+    SUFFIXES[Path(file).suffix.lower()](outcome, file)
+
+
+def check(path: PlannedPath, file: str | Path) -> None:
+    """Whether a run on `path` can be exported to `file`, so that it is known before the run.
+
+    Raises `InputError` for an unknown suffix, for a path without a place on the planet, which all but CSV need, and
+    where the folder does not exist.
     """
     suffix = Path(file).suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(
             str(file), f"cannot export {suffix or 'a file without a suffix'}", f"use {', '.join(SUFFIXES)}"
         )
-    SUFFIXES[suffix](outcome, file)
+    if suffix != ".csv":
+        frame_of(path, f"a {suffix} file")
+    check_folder(file)
 
 
 def _csv(outcome: Outcome, file: str | Path) -> None:
@@ -44,9 +58,7 @@ def _geojson(outcome: Outcome, file: str | Path) -> None:
 def _tlog(outcome: Outcome, file: str | Path) -> None:
     from mavlink.tlog import write_tlog
     from reports.files import atomic
-    from reports.geographic import frame_of
 
-    frame_of(outcome, "a .tlog")  # before anything is written
     with atomic(file) as temporary, open(temporary, "wb") as stream:
         write_tlog(outcome, stream)
 

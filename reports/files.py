@@ -17,11 +17,8 @@ def atomic(file: str | Path) -> Iterator[Path]:
     Raises `InputError` where the folder does not exist, `TrackworthyError` where the disk does not take the
     file.
     """
+    check_folder(file)
     final = Path(file)
-    if not final.parent.is_dir():
-        raise InputError(str(file), f"the folder {final.parent} does not exist", "create it first")
-    if final.is_dir():
-        raise InputError(str(file), "this is a folder", "give the name of a file")
     # The process id keeps workers that write the same file at the same time out of each other's way.
     temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
     try:
@@ -31,3 +28,12 @@ def atomic(file: str | Path) -> Iterator[Path]:
         raise TrackworthyError(f"{final}: cannot be written: {error.strerror or error}") from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def check_folder(file: str | Path) -> None:
+    """Whether `file` names a file in a folder that exists; raises `InputError` if not."""
+    final = Path(file)
+    if not final.parent.is_dir():
+        raise InputError(str(file), f"the folder {final.parent} does not exist", "create it first")
+    if final.is_dir():
+        raise InputError(str(file), "this is a folder", "give the name of a file")

@@ -7,19 +7,19 @@ import numpy as np
 from planners.errors import InputError
 from planners.frame import Frame
 from planners.kernel import Floats
+from planners.path import Path
 from tracking.outcome import Outcome
 
 
-def frame_of(outcome: Outcome, what: str) -> Frame:
-    """Where the run took place; raises `InputError` for one in a local frame only, which `what` cannot hold."""
-    frame = outcome.track.frame or outcome.path.frame
-    if frame is None:
+def frame_of(path: Path, what: str) -> Frame:
+    """Where the path lies; raises `InputError` for one in a local frame only, which `what` cannot hold."""
+    if path.frame is None:
         raise InputError(
-            outcome.path.name,
+            path.name,
             f"has no geographic origin, which {what} needs",
             "give the path in latitude and longitude, or export CSV",
         )
-    return frame
+    return path.frame
 
 
 def planned(outcome: Outcome, frame: Frame) -> Floats:

@@ -16,7 +16,7 @@ _TOLD = ("name", "vehicle", "controller", "speed", "corridor", "wind", "verdict"
 
 def write_geojson(outcome: Outcome, file: str | Path) -> None:
     """Write a FeatureCollection of the planned and the flown line, positions as longitude, latitude, height [m]."""
-    frame = frame_of(outcome, "GeoJSON")
+    frame = frame_of(outcome.path, "GeoJSON")
     told = to_json(outcome)
     about: dict[str, Json] = {key: told[key] for key in _TOLD}
     collection: Json = {

@@ -26,7 +26,7 @@ def write_kml(outcome: Outcome, file: str | Path) -> None:
     Heights are written as they are, above the ellipsoid; KML means the sea's level, tens of metres off at
     most. A ground vehicle's lines lie on the ground.
     """
-    frame = frame_of(outcome, "KML")
+    frame = frame_of(outcome.path, "KML")
     clamped = outcome.limits.kind == "ground"
     root = ElementTree.Element("kml", xmlns=_NAMESPACE)
     document = _child(root, "Document")

@@ -20,7 +20,7 @@ _MOST_INFEASIBLE = 8  # in a table, the worst ones; the JSON result has all
 
 
 def print_outcome(outcome: Outcome, console: Console | None = None) -> None:
-    """Print table, what is infeasible, notes and verdict of one run; without a `console`, on standard output.
+    """Print table, what is infeasible, and verdict of one run; without a `console`, on standard output.
 
     Colour, and the width, are the terminal's; piped, rich leaves the colour out and takes COLUMNS or 80.
     """
@@ -32,8 +32,6 @@ def print_outcome(outcome: Outcome, console: Console | None = None) -> None:
         console.print()
     for line in unmeasured(outcome):
         console.print(Text(f"n/a: {line}", style="dim"), soft_wrap=True)
-    for note in outcome.notes:
-        console.print(Text(f"note: {note}", style="dim"), soft_wrap=True)
     console.print(verdict_line(outcome), soft_wrap=True)
 
 

@@ -43,7 +43,8 @@ def add_parser(commands: Any) -> None:
 def main(args: argparse.Namespace) -> int:
     """Track, show, save, and answer with the exit code."""
     from campaigns.case import prepare
-    from reports.export import export
+    from reports.export import check, export
+    from reports.files import check_folder
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from tracking.trial import run_trial
@@ -52,8 +53,11 @@ def main(args: argparse.Namespace) -> int:
     with chatter_to_stderr():
         prepared = prepare(_case(args), Path())
         tell(prepared.notes)
+        picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
+        check_folder(picture)
+        for file in args.export:
+            check(prepared.trial.path, file)
         outcome = run_trial(prepared.trial)
-    picture = args.picture or f"{Path(args.path).stem}-{outcome.vehicle}.png"
     save_track_figure(outcome, picture)
     for file in args.export:
         export(outcome, file)

@@ -51,9 +51,8 @@ def test_what_is_not_valid_says_why(yard):
 
 
 def test_markup_in_names_is_text(yard):
-    named = dataclasses.replace(yard, name="[bold]a[/]", notes=("[red]n[/red]",))
+    named = dataclasses.replace(yard, name="[bold]a[/]")
     assert "[bold]a[/]" in printed(named)
-    assert "note: [red]n[/red]" in printed(named)
 
 
 def with_turns(outcome, count):
