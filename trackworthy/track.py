@@ -44,7 +44,6 @@ def main(args: argparse.Namespace) -> int:
     """Track, show, save, and answer with the exit code."""
     from campaigns.case import prepare
     from reports.export import check, export
-    from reports.files import check_folder
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from tracking.trial import run_trial
@@ -54,7 +53,7 @@ def main(args: argparse.Namespace) -> int:
         prepared = prepare(_case(args), Path())
         tell(prepared.notes)
         picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
-        check_folder(picture)
+        _check_picture(picture)
         for file in args.export:
             check(prepared.trial.path, file)
         outcome = run_trial(prepared.trial)
@@ -71,6 +70,15 @@ def main(args: argparse.Namespace) -> int:
         print_outcome(outcome)
     tell(f"saved {file}" for file in (picture, *args.export))
     return 0 if outcome.verdict.passed else 1
+
+
+def _check_picture(file: str) -> None:
+    from planners.errors import InputError
+    from reports.files import check_folder
+
+    if Path(file).suffix.lower() not in (".png", ".svg"):
+        raise InputError(file, "a picture is a .png or a .svg file", "give it one of these suffixes")
+    check_folder(file)
 
 
 def _case(args: argparse.Namespace) -> Case:

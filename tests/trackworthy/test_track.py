@@ -148,6 +148,7 @@ BAD_INPUT = {
     "an export without a place": ((*COURSE, "--export", "track.kml"), "", "export CSV"),
     "an export of an unknown kind": ((*SURVEY, "--export", "track.xyz"), "", ".tlog"),
     "a picture in no folder": ((*COURSE, "--picture", "nowhere/a.png"), "", "nowhere"),
+    "a picture of an unknown kind": ((*COURSE, "--picture", "a.bmp"), "", ".png"),
     "a missing option": (("proving-ground.csv",), "", "--vehicle"),
 }  # fmt: skip
 
