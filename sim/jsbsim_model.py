@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import atexit
 import math
-import os
 import shutil
 import tempfile
 import xml.etree.ElementTree as ET
 from functools import lru_cache
 from pathlib import Path
 
+import jsbsim
+
 from planners.errors import InputError, TrackworthyError
 from planners.units import METRES_PER_FOOT
 from sim.aircraft_file import Aircraft
+from sim.jsbsim_log import listening
 from sim.vehicle import Pose
 from sim.wind import Wind, heading_for_course
-
-os.environ.setdefault("JSBSIM_DEBUG", "0")  # JSBSim prints its banner on standard output otherwise
-
-import jsbsim
 
 ATTITUDE_HOLD = Path(__file__).parent / "attitude_hold.xml"
 FULL_TRIM = 1  # JSBSim's TrimMode.FULL: forces and moments about all axes
@@ -37,17 +35,18 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
             f"JSBSim has no model {model!r} in {folder / 'aircraft'}",
             f"it has {', '.join(known) or 'none at all'}",
         )
-    fdm = jsbsim.FGFDMExec(str(folder))
-    fdm.set_debug_level(0)
-    fdm.set_aircraft_path(
-        str(_with_attitude_hold(file, aircraft.own_autopilot.systems, aircraft.own_autopilot.outputs))
-    )
-    try:
-        loaded = fdm.load_model(model)
-    except jsbsim.BaseError as error:
-        raise InputError(str(file), f"JSBSim cannot load it: {_one_line(error)}") from error
+    own = aircraft.own_autopilot
+    with listening() as listener:
+        fdm = jsbsim.FGFDMExec(str(folder))
+        fdm.set_debug_level(0)
+        fdm.set_aircraft_path(str(_with_attitude_hold(file, own.systems, own.outputs)))
+        try:
+            loaded, reason = fdm.load_model(model), ""
+        except jsbsim.BaseError as error:
+            loaded, reason = False, str(error)
     if not loaded:
-        raise InputError(str(file), "JSBSim cannot load it", "its own message stands above")
+        why = " ".join(f"{listener.errors()} {reason}".split())
+        raise InputError(str(file), f"JSBSim cannot load it ({why})", "mend the model")
     fdm.set_dt(dt)
     fdm.disable_output()
     return fdm
@@ -121,17 +120,14 @@ def start_in_equilibrium(
         fdm[name] = value
     fdm.run_ic()
     fdm["propulsion/set-running"] = -1
-    try:
-        fdm["simulation/do_simple_trim"] = FULL_TRIM
-    except jsbsim.TrimFailureError as error:
-        raise InputError(
-            "speed",
-            f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m",
-            "choose another speed or altitude",
-        ) from error
-    except jsbsim.BaseError as error:
-        raise TrackworthyError(f"JSBSim failed to trim: {_one_line(error)}") from error
-
-
-def _one_line(error: Exception) -> str:
-    return " ".join(str(error).split()) or type(error).__name__
+    with listening() as listener:
+        try:
+            fdm["simulation/do_simple_trim"] = FULL_TRIM
+        except jsbsim.TrimFailureError as error:
+            raise InputError(
+                "speed",
+                f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m ({listener.errors()})",
+                "choose another speed or altitude",
+            ) from error
+        except jsbsim.BaseError as error:
+            raise TrackworthyError(f"JSBSim failed to trim: {' '.join(str(error).split())}") from error

@@ -42,6 +42,24 @@ def test_a_broken_model_is_an_error_with_its_file(tmp_path):
         FixedWing(aircraft).reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
 
 
+def test_what_jsbsim_dislikes_is_in_the_error_and_nowhere_else(tmp_path, capfd):
+    folder = tmp_path / "aircraft" / "broken"
+    folder.mkdir(parents=True)
+    (folder / "broken.xml").write_text('<fdm_config name="x" version="2.0"><metrics/></fdm_config>')
+    aircraft = load_aircraft(variant(tmp_path, 'model = "c172x" ', 'root = "."\nmodel = "broken" '))
+    with pytest.raises(InputError, match=r"broken.xml: JSBSim cannot load it \(.+\)") as error:
+        FixedWing(aircraft).reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
+    assert "\n" not in str(error.value)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_speed_at_which_it_does_not_fly_level_is_refused(tmp_path, capfd):
+    fast = load_aircraft(variant(tmp_path, "speed_max = 62.0", "speed_max = 300.0"))
+    with pytest.raises(InputError, match=r"no equilibrium at 90 m/s and 1000 m \(.*trimmable"):
+        FixedWing(fast).reset(Pose(0.0, 0.0, 1000.0, 1.0), 90.0, Conditions(), 0)
+    assert capfd.readouterr() == ("", "")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
