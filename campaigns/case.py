@@ -25,7 +25,6 @@ from tracking.feasibility import required_radius
 from tracking.trial import Trial
 from tracking.verdict import TRACKWORTHY, Expectation
 
-DEFAULT_ALTITUDE = 1000.0  # [m] where neither the path nor the user gives one
 FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
 ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as points
 
@@ -67,6 +66,8 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     file = files.read(folder / case.path)
     name = FilePath(case.path).name
     notes = [f"{name}: {note}" for note in file.notes]
+    if case.wind and limits.kind == "ground":
+        notes.append(f"wind {case.wind}: not taken, it does not move a {case.vehicle}")
     speed, note = _speed(case, file.speed, limits)
     notes += note
     scenario = load_scenario(_scenario_name(case.scenario, folder)) if case.scenario else None
@@ -84,7 +85,7 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
         vehicle=case.vehicle,
         controller=case.controller,
         speed=speed,
-        altitude=DEFAULT_ALTITUDE if altitude is None else altitude,
+        altitude=altitude,
         corridor=corridor,
         wind=wind,
         obstacles=_obstacles(path, file.fence, scenario),

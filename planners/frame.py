@@ -42,6 +42,17 @@ def _transformer(frame: Frame) -> Transformer:
     )
 
 
+def true_north(frame: Frame, lat: float, lon: float) -> float:
+    """Heading [rad from the frame's x axis] of true north at `lat`, `lon` [deg].
+
+    pi / 2 at the origin and on its meridian; elsewhere meridians converge, by some 2.5 deg 150 km away at 60 deg north.
+    """
+    step = 1e-4 if lat < 89.0 else -1e-4  # [deg] some 11 m
+    here, there = frame.to_local(np.array([lat, lat + step]), np.array([lon, lon]))
+    dx, dy = (there - here) / step
+    return float(np.arctan2(dy, dx))
+
+
 def point_transform(frame: Frame) -> Transformer:
     """The raw transformer, `transform(lon, lat) -> (x, y)`, for loops that convert one point at a time."""
     return _transformer(frame)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import msgspec
 import numpy as np
@@ -11,7 +12,7 @@ import shapely
 from planners.errors import InputError
 from planners.frame import Frame
 from planners.kernel import Floats, Ints
-from planners.polyline import headings_and_bends, interpolate, point_on_polyline, project_on_polyline
+from planners.polyline import headings_and_bends, interpolate, point_on_polyline, project_on_polyline, resampled
 
 FARTHEST = 1e9  # [m] farther than any planet's surface allows; beyond it, distances lose their millimetres
 
@@ -121,26 +122,31 @@ class Path:
 
     def resample(self, spacing: float) -> Path:
         """The same line with points every `spacing` [m] or a little less; corners between them are cut."""
-        count = max(1, int(np.ceil(self.length / spacing - 1e-9)))
-        s = np.linspace(0.0, self.length, count + 1)
-        columns = [np.interp(s, self.s, column) for column in self.points.T]
-        return replace(self, points=np.column_stack(columns))
+        return replace(self, points=resampled(self.points, self.s, spacing))
 
     def simplify(self, tolerance: float) -> Ints:
         """Indices of the vertices that remain when each may be left out that moves the line by at most `tolerance` [m].
 
-        Douglas and Peucker 1973, by GEOS.
+        Douglas and Peucker 1973, by GEOS. A vertex at which the path turns back, by more than 90 deg, always remains:
+        what is retraced lies on the line.
         """
-        kept = shapely.get_coordinates(
-            shapely.simplify(shapely.LineString(self.xy), tolerance, preserve_topology=False)
-        )
-        indices, at = [0], 0
-        for x, y in kept[1:-1]:
+        back = np.flatnonzero(np.abs(self.turns) > np.pi / 2)
+        corners = [0, *back.tolist(), len(self.points) - 1]
+        pieces = [_simplified(self.xy, a, b, tolerance) for a, b in pairwise(corners)]
+        return np.array([*(index for piece in pieces for index in piece), corners[-1]], dtype=np.int64)
+
+
+def _simplified(xy: Floats, first: int, last: int, tolerance: float) -> list[int]:
+    """Indices that remain from `first` up to, but without, `last`."""
+    line = shapely.LineString(xy[first : last + 1])
+    kept = shapely.get_coordinates(shapely.simplify(line, tolerance, preserve_topology=False))
+    indices, at = [first], first
+    for x, y in kept[1:-1]:
+        at += 1
+        while xy[at, 0] != x or xy[at, 1] != y:
             at += 1
-            while self.points[at, 0] != x or self.points[at, 1] != y:
-                at += 1
-            indices.append(at)
-        return np.array([*indices, len(self.points) - 1], dtype=np.int64)
+        indices.append(at)
+    return indices
 
 
 def _check(points: Floats, name: str) -> None:

@@ -71,8 +71,8 @@ def nearest_on_polyline(
 ) -> tuple[float, int, float, float, float]:
     """Arc length, segment, place and signed distance of the point nearest to (x, y) between `s_from` and `s_to`.
 
-    The distance is positive left of the line; at a vertex the normal of the bisector decides the side. A segment at an
-    end of the line goes on beyond it where the window does.
+    The distance is positive left of the line; at a vertex the normal of the bisector decides the side. Where an end of
+    the line is nearest, its outer segment goes on beyond it as far as the window does.
     """
     last = len(arc) - 2
     first = min(max(int(np.searchsorted(arc, s_from, side="right")) - 1, 0), last)
@@ -82,8 +82,8 @@ def nearest_on_polyline(
         if i > first and arc[i] > s_to:
             break
         leg = arc[i + 1] - arc[i]
-        low = (s_from - arc[i]) / leg if i == 0 else max(0.0, (s_from - arc[i]) / leg)
-        high = (s_to - arc[i]) / leg if i == last else min(1.0, (s_to - arc[i]) / leg)
+        low = max(0.0, (s_from - arc[i]) / leg)
+        high = min(1.0, (s_to - arc[i]) / leg)
         ax, ay = points[i + 1, 0] - points[i, 0], points[i + 1, 1] - points[i, 1]
         dx, dy = x - points[i, 0], y - points[i, 1]
         share = max(min((ax * dx + ay * dy) / (leg * leg), high), low)
@@ -92,17 +92,31 @@ def nearest_on_polyline(
         square = dx * dx + dy * dy
         if square < best:
             best, i_best, share_best = square, i, share
+    if (i_best == 0 and share_best == 0.0) or (i_best == last and share_best == 1.0):
+        ax, ay = points[i_best + 1, 0] - points[i_best, 0], points[i_best + 1, 1] - points[i_best, 1]
+        leg = arc[i_best + 1] - arc[i_best]
+        beyond = (ax * (x - points[i_best, 0]) + ay * (y - points[i_best, 1])) / (leg * leg)
+        beyond = max(min(beyond, (s_to - arc[i_best]) / leg), (s_from - arc[i_best]) / leg)
+        share_best = beyond if beyond < 0.0 or beyond > 1.0 else share_best
     x_best = points[i_best, 0] + share_best * (points[i_best + 1, 0] - points[i_best, 0])
     y_best = points[i_best, 1] + share_best * (points[i_best + 1, 1] - points[i_best, 1])
     s_best = arc[i_best] + share_best * (arc[i_best + 1] - arc[i_best])
     best = math.hypot(x - x_best, y - y_best)
-    ax = points[i_best + 1, 0] - points[i_best, 0]
-    ay = points[i_best + 1, 1] - points[i_best, 1]
-    if share_best == 1.0 and i_best < last:
-        leg_in, leg_out = arc[i_best + 1] - arc[i_best], arc[i_best + 2] - arc[i_best + 1]
-        bx = ax / leg_in + (points[i_best + 2, 0] - points[i_best + 1, 0]) / leg_out
-        by = ay / leg_in + (points[i_best + 2, 1] - points[i_best + 1, 1]) / leg_out
+    ax, ay = points[i_best + 1, 0] - points[i_best, 0], points[i_best + 1, 1] - points[i_best, 1]
+    vertex = i_best + 1 if share_best == 1.0 else i_best
+    if 0 < vertex <= last and (share_best == 0.0 or share_best == 1.0):
+        a, b, c = points[vertex - 1], points[vertex], points[vertex + 1]
+        leg_in, leg_out = arc[vertex] - arc[vertex - 1], arc[vertex + 1] - arc[vertex]
+        bx = (b[0] - a[0]) / leg_in + (c[0] - b[0]) / leg_out
+        by = (b[1] - a[1]) / leg_in + (c[1] - b[1]) / leg_out
         if bx * bx + by * by > 1e-18:
             ax, ay = bx, by
     side = ax * (y - y_best) - ay * (x - x_best)
     return s_best, i_best, x_best, y_best, math.copysign(best, side)
+
+
+def resampled(points: Floats, s: Floats, spacing: float) -> Floats:
+    """Points at most `spacing` apart on the line `points` (N, D) with arc length `s` (N,); both ends are kept."""
+    count = max(1, int(np.ceil(s[-1] / spacing - 1e-9)))
+    at = np.linspace(0.0, s[-1], count + 1)
+    return np.column_stack([np.interp(at, s, column) for column in points.T])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Annotated
 
 import msgspec
 
@@ -16,28 +17,32 @@ AIRCRAFT_FOLDER = Path(__file__).parent / "aircraft"
 ALL_AIRCRAFT = ("c172x",)
 
 
+Positive = Annotated[float, msgspec.Meta(gt=0.0)]
+Bank = Annotated[float, msgspec.Meta(gt=0.0, lt=90.0)]  # [deg]
+
+
 class Envelope(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What the aircraft can do: speeds [m/s true], angles [deg], gradients [1], `corridor` half-width [m]."""
 
-    speed: float
-    speed_min: float
-    speed_max: float
-    stall_speed: float
-    alpha_stall: float
-    bank_limit: float
-    climb_gradient: float
-    descent_gradient: float
-    corridor: float
+    speed: Positive
+    speed_min: Positive
+    speed_max: Positive
+    stall_speed: Positive
+    alpha_stall: Positive
+    bank_limit: Bank
+    climb_gradient: Positive
+    descent_gradient: Positive
+    corridor: Positive
 
 
 class Roll(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Bank loop: times [s], `rate_limit` [deg/s], aileron per rad/s and per rad."""
 
-    time: float
-    rate_limit: float
+    time: Positive
+    rate_limit: Positive
     aileron: float
     aileron_integral: float
-    response_time: float
+    response_time: Positive
 
 
 class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -50,8 +55,9 @@ class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Altitude loop: times [s], climb and speed [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
 
-    altitude_time: float
-    climb_limit: float
+    altitude_time: Positive
+    climb_limit: Positive
+    climb_change: Positive
     speed_reserve: float
     speed_priority: float
     climb: float
@@ -81,11 +87,11 @@ class OwnAutopilot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m], airspeed error [m/s]."""
 
-    bank_max: float
-    load_factor_max: float
+    bank_max: Positive
+    load_factor_max: Positive
     stall_margin_min: float
-    altitude_error_max: float
-    speed_error_max: float
+    altitude_error_max: Positive
+    speed_error_max: Positive
     source: str
 
     def bounds(self) -> tuple[Bound, ...]:
@@ -105,7 +111,7 @@ class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     name: str
     model: str
-    span: float
+    span: Positive
     envelope: Envelope
     operation: Operation
     roll: Roll

@@ -42,6 +42,7 @@ class Autopilot:
         self._bank_step = math.radians(roll.rate_limit) * period
         # Integrals start at what trim needs
         self._bank, self._pitch_sum = fdm["attitude/phi-rad"], fdm["attitude/theta-rad"]
+        self._climb = 0.0
         self._throttle_sum = self.throttle = fdm["fcs/throttle-cmd-norm"]
         self._set_bank(self._bank)
         self._set_pitch(self._pitch_sum)
@@ -64,7 +65,9 @@ class Autopilot:
         gains = self._pitch_gains
         wanted = max(-gains.climb_limit, min(gains.climb_limit, altitude_error / gains.altitude_time)) + slope_rate
         wanted -= gains.speed_priority * max(0.0, speed_error - gains.speed_reserve)
-        angle = (wanted - climb_rate) / airspeed
+        most = gains.climb_change * self._period
+        self._climb += max(-most, min(most, wanted - self._climb))
+        angle = (self._climb - climb_rate) / airspeed
         self._pitch_sum += gains.climb_integral * angle * self._period
         self._set_pitch(self._pitch_sum + gains.climb * angle + self._turn_pitch * turn_g)
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from planners.errors import InputError
-from planners.frame import point_transform
+from planners.frame import point_transform, true_north
 from planners.units import METRES_PER_FOOT, wrap
 from sim.aircraft_file import Aircraft
 from sim.autopilot import Autopilot
 from sim.jsbsim_model import load_model, property_node, start_in_equilibrium
-from sim.vehicle import Command, Conditions, Pose, State
+from sim.vehicle import GROUND, NOT_A_NUMBER, STALL, Command, Conditions, Pose, State
 
 STEP = 1.0 / 120.0  # [s] of the simulation and, in it, of the attitude loops
 STEPS = 6  # a control period: guidance at 20 Hz
+NORTH_EVERY = 20  # control periods in which true north does not turn in the frame by more than 1e-5 rad
 
 
 class FixedWing:
@@ -42,8 +44,11 @@ class FixedWing:
         transformer = point_transform(frame)
         lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
         fdm = load_model(self._aircraft, STEP)
-        start_in_equilibrium(fdm, pose, lat, lon, speed, conditions.wind)
-        self._to_local = transformer.transform
+        self._north = true_north(frame, lat, lon)
+        convergence = self._north - math.pi / 2
+        start_in_equilibrium(fdm, replace(pose, course=pose.course - convergence), lat, lon, speed, conditions.wind)
+        self._frame, self._to_local = frame, transformer.transform
+        self._samples = 0
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)
         self._fdm, self._run, self._t = fdm, fdm.run, 0.0
         names = (
@@ -70,7 +75,7 @@ class FixedWing:
         bank = max(-most, min(most, wanted))
         self._autopilot.command(
             -bank, state.channels[0], state.airspeed, command.speed - state.airspeed, state.climb_rate,
-            command.altitude - state.z, command.gradient * state.ground_speed,
+            command.altitude - state.z, self._climbable(command.gradient) * state.ground_speed,
         )  # fmt: skip
         run = self._run
         for _ in range(STEPS):
@@ -78,6 +83,10 @@ class FixedWing:
         self._t += self.period
         self._state = self._observe(bank != wanted)
         return self._state
+
+    def _climbable(self, gradient: float) -> float:
+        """The path's slope as far as the aircraft can climb or descend; an autopilot arrives late, but it arrives."""
+        return max(-self.limits.descent_gradient, min(self.limits.climb_gradient, gradient))
 
     def _observe(self, saturated: bool) -> State:
         (
@@ -99,13 +108,16 @@ class FixedWing:
             on_wheels,
         ) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
+        if self._samples % NORTH_EVERY == 0:
+            self._north = true_north(self._frame, lat, lon)
+        self._samples += 1
         ground_speed = math.hypot(east, north) * METRES_PER_FOOT
         # Unwrapped, so that a turn over the period is a difference
-        course = self._course + wrap(math.atan2(north, east) - self._course)
+        course = self._course + wrap(self._north - math.atan2(east, north) - self._course)
         turned = course - self._course
         curvature = turned / (ground_speed * self.period) if self._t and ground_speed else 0.0
         self._course = course
-        heading = course + wrap(math.pi / 2 - psi - course)
+        heading = course + wrap(self._north - psi - course)
         self._gravity = gravity * METRES_PER_FOOT
         stall_margin = math.radians(self._aircraft.envelope.alpha_stall) - alpha
         return State(
@@ -136,7 +148,7 @@ class FixedWing:
 
 def _fault(finite: float, on_ground: bool, stall_margin: float) -> str:
     if not math.isfinite(finite):
-        return "not a number"
+        return NOT_A_NUMBER
     if on_ground:
-        return "ground"
-    return "stall" if stall_margin <= 0.0 else ""
+        return GROUND
+    return STALL if stall_margin <= 0.0 else ""

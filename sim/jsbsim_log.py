@@ -10,6 +10,8 @@ os.environ.setdefault("JSBSIM_DEBUG", "0")  # JSBSim prints its banner on standa
 
 import jsbsim
 
+MOST_LINES = 3  # of errors told
+
 
 class _Listener(jsbsim.FGLogger):
     def __init__(self) -> None:
@@ -35,8 +37,9 @@ class _Listener(jsbsim.FGLogger):
         """Records are joined when they are asked for."""
 
     def errors(self) -> str:
-        """The errors heard so far, in one line."""
-        return " ".join("".join(self._errors).split())
+        """The last errors heard, each once, in one line."""
+        lines = dict.fromkeys(" ".join(line.split()) for line in "".join(self._errors).splitlines())
+        return "; ".join(list(filter(None, lines))[-MOST_LINES:])
 
 
 @contextmanager

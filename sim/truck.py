@@ -13,7 +13,7 @@ from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 from planners.errors import InputError
 from planners.footprint import Rectangle
 from planners.units import STANDARD_GRAVITY
-from sim.vehicle import Bound, Command, Conditions, Limits, Pose, State
+from sim.vehicle import NOT_A_NUMBER, Bound, Command, Conditions, Limits, Pose, State
 
 WHEELBASE = 4.5  # [m] a two-axle 7 m truck
 BODY_LENGTH, BODY_WIDTH = 7.0, 2.5  # [m]; 2.5 m is the legal width in most countries (EU 96/53/EC: 2.55 m)
@@ -42,11 +42,11 @@ class Truck:
     channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 
     def __init__(self, steering_hz: float = 20.0, friction: float = FRICTION) -> None:
-        if not 0.0 < steering_hz <= 1.0 / self.period:
-            raise InputError(
-                "steering-hz", f"{steering_hz:g} is not a rate to steer at", f"choose up to {1 / self.period:g}"
-            )
-        self.guidance_period = max(1, round(1.0 / (steering_hz * self.period))) * self.period
+        held_periods = 1.0 / (steering_hz * self.period) if steering_hz > 0.0 else 0.0
+        if held_periods < 1.0 or abs(held_periods - round(held_periods)) > 1e-6:
+            remedy = f"choose {1 / self.period:g} divided by a whole number, as 2"
+            raise InputError("steering-hz", f"{steering_hz:g} is not a rate to steer at", remedy)
+        self.guidance_period = round(held_periods) * self.period
         self._grip = friction * STANDARD_GRAVITY
         self.limits = Limits(
             kind="ground",
@@ -94,7 +94,7 @@ class Truck:
             acceleration = max(-ACCELERATION_LIMIT, min(ACCELERATION_LIMIT, error / SPEED_LAG))
             plant.action = {"steering": steering, "acceleration": acceleration}
             plant.step(dt)
-        self._t += self.period
+        self._t, self._z = self._t + self.period, command.altitude
         return self._state((self._steering - before) / self.period, command.speed, saturated)
 
     def _grip_limited(self) -> float:
@@ -122,5 +122,5 @@ class Truck:
             self._t, x, y, self._z, heading, heading, rear_speed, rear_speed, 0.0, curvature,
             saturated or held != self._steering,
             (self._steering, steering_rate, lateral, abs(lateral) / self._grip),
-            "" if math.isfinite(x + y + heading) else "not a number",
+            "" if math.isfinite(x + y + heading) else NOT_A_NUMBER,
         )  # fmt: skip

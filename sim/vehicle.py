@@ -12,6 +12,8 @@ from planners.footprint import Footprint
 from planners.frame import Frame
 from sim.wind import Wind
 
+NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
+
 
 class Command(msgspec.Struct, frozen=True):
     """What guidance asks for: `curvature` over the ground [1/m, left positive], `speed` [m/s], `altitude` [m].

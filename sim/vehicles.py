@@ -10,7 +10,10 @@ from sim.vehicle import Vehicle
 ALL_VEHICLES = ("c172x", "truck")
 
 
-def make_vehicle(name: str, steering_hz: float = 20.0) -> Vehicle:
+DEFAULT_STEERING_HZ = 20.0
+
+
+def make_vehicle(name: str, steering_hz: float = DEFAULT_STEERING_HZ) -> Vehicle:
     """The vehicle of that name, or the aircraft of that TOML file; raises `InputError` for an unknown one.
 
     `steering_hz` [Hz] is how often guidance may steer a truck. Simulators are imported here, when they are needed.
@@ -19,6 +22,8 @@ def make_vehicle(name: str, steering_hz: float = 20.0) -> Vehicle:
         from sim.truck import Truck
 
         return Truck(steering_hz)
+    if steering_hz != DEFAULT_STEERING_HZ:
+        raise InputError("steering-hz", f"{name} has no steering", "leave it out")
     from sim.aircraft_file import ALL_AIRCRAFT, load_aircraft
     from sim.fixed_wing import FixedWing
 

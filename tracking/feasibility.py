@@ -12,7 +12,7 @@ from planners.turns import available_radii
 from sim.vehicle import Limits
 from sim.wind import Wind, ground_speed_on_course, heading_for_course
 
-COURSES = 9  # headings at which a turn is looked at, its ends included
+COURSES = 9  # at which a turn is looked at, its ends included
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Slope:
-    """A stretch from `s` to `s_end` [m] with mean `gradient` beyond the vehicle's `limit`; descents are negative."""
+    """A stretch from `s` to `s_end` [m] whose `gradient` through the air is beyond `limit`; descents are negative."""
 
     s: float
     s_end: float
@@ -99,7 +99,7 @@ def assess(path: Path, limits: Limits, speed: float, wind: Wind, corridor: float
         )
         for vertex, angle, radius in zip(vertices, angles, radii, strict=True)
     )  # fmt: skip
-    return Feasibility(turns, _steep(path, limits))
+    return Feasibility(turns, _steep(path, limits, speed, wind))
 
 
 def required_radius(limits: Limits, speed: float, wind: Wind, course: float, angle: float) -> float:
@@ -120,11 +120,15 @@ def required_radius(limits: Limits, speed: float, wind: Wind, course: float, ang
     return worst
 
 
-def _steep(path: Path, limits: Limits) -> tuple[Slope, ...]:
-    """Stretches between the vertices of the height profile that climb or descend beyond the limits."""
+def _steep(path: Path, limits: Limits, speed: float, wind: Wind) -> tuple[Slope, ...]:
+    """Stretches that climb or descend beyond the limits.
+
+    Those are gradients through the air: a tailwind makes the same path over the ground steeper.
+    """
     if path.z is None or limits.kind == "ground":
         return ()
-    gradients = np.diff(path.z) / np.diff(path.s)
+    over_ground = np.array([ground_speed_on_course(speed, float(course), wind) for course in path.headings])
+    gradients = np.diff(path.z) / np.diff(path.s) * np.fmax(over_ground, 0.0) / speed
     found: list[Slope] = []
     for i, gradient in enumerate(gradients.tolist()):
         limit = limits.climb_gradient if gradient > 0.0 else -limits.descent_gradient

@@ -8,7 +8,7 @@ from array import array
 import numpy as np
 
 from planners.path import Path, Projection
-from sim.vehicle import Command, Conditions, Pose, State, Vehicle
+from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State, Vehicle
 from sim.wind import ground_speed_on_course
 from tracking.controllers.controller import Controller
 from tracking.integral import Integral
@@ -24,31 +24,32 @@ def follow(
     controller: Controller,
     speed: float,
     altitude: float,
-    corridor: float,
     conditions: Conditions,
     seed: int = 0,
 ) -> Track:
     """Put `vehicle` on the start of `path` and let `controller` follow it; returns the track.
 
-    `speed` [m/s] and `altitude` [m] are commanded throughout; the altitude is the path's own where it has heights.
-    `corridor` [m] is the half-width. The run ends when the path is completed, when the vehicle reports a fault,
-    when the time budget is spent (twice the path's time in this wind, and a minute), or when the corridor is lost
-    for good: no way gained along the path during two full circles of the vehicle.
+    `speed` [m/s] and `altitude` [m] are commanded throughout; the altitude is the path's own where it has heights. How
+    the vehicle is guided depends on its own default corridor, never on the one it is judged by.
+
+    The run ends when the path is completed, when the vehicle reports a fault, when the time budget is spent (twice the
+    path's time in this wind, and a minute), or when the corridor is lost for good: no way gained along the path during
+    two full circles of the vehicle. A state that is not a number ends the run and is not part of the track.
     """
-    path = path.with_tolerance(0.1 * corridor)
     limits, period = vehicle.limits, vehicle.period
+    path = path.with_tolerance(0.1 * limits.corridor)
     held_periods = round(vehicle.guidance_period / period)
     height = path.height_at if path.z is not None else None
     start = path.height_at(0.0) if height else altitude
     pose = Pose(float(path.xy[0, 0]), float(path.xy[0, 1]), start, float(path.headings[0]))
     state = vehicle.reset(pose, speed, conditions, seed)
     controller.reset(limits, vehicle.guidance_period)
-    integral = Integral(limits, corridor, vehicle.guidance_period)
+    integral = Integral(limits, limits.corridor, vehicle.guidance_period)
 
-    window = max(2.0 * limits.turn_radius(speed + conditions.wind.speed), 4.0 * corridor)
+    window = max(2.0 * limits.turn_radius(speed + conditions.wind.speed), 4.0 * limits.corridor)
     budget = 2.0 * _time_needed(path, speed, conditions) + 60.0
     circle = 4.0 * math.pi * limits.turn_radius(speed + conditions.wind.speed) / speed
-    at = path.project(state.x, state.y, s_to=window)
+    at = path.project(state.x, state.y, s_to=0.0)
     furthest, gained = at.s, 0.0
     rows = array("d")
     curvature, ended, index = 0.0, "", 0
@@ -63,10 +64,12 @@ def follow(
         gradient = _gradient(path, at.segment) if height else 0.0
         state = vehicle.step(Command(curvature, speed, target, gradient))
         index += 1
-        if not state.fault:
-            at = path.project(state.x, state.y, furthest, furthest + window)
-            if at.s > furthest:
-                furthest, gained = at.s, state.t
+        if state.fault == NOT_A_NUMBER:
+            ended = state.fault
+            break
+        at = path.project(state.x, state.y, furthest, furthest + window)
+        if at.s > furthest:
+            furthest, gained = at.s, state.t
     columns = (*STATE_COLUMNS, *vehicle.channels, *GUIDANCE_COLUMNS)
     return Track(columns, np.array(rows).reshape(-1, len(columns)), ended, path.frame)
 

@@ -24,6 +24,9 @@ from tracking.requirements import default_requirements, with_user_requirements
 from tracking.run import Run
 from tracking.verdict import TRACKWORTHY, judge
 
+LONGEST_TIME = 24 * 3600.0  # [s] beyond any tank, and a million samples in memory
+DEFAULT_ALTITUDE = 1000.0  # [m] of aircraft, where neither the path nor the user gives one
+
 
 @dataclass(frozen=True, slots=True)
 class Trial:
@@ -38,7 +41,7 @@ class Trial:
     vehicle: str
     controller: str = "lqr"
     speed: float | None = None
-    altitude: float = 1000.0
+    altitude: float | None = None
     corridor: float | None = None
     wind: Wind = field(default_factory=Wind)
     obstacles: Map | None = None
@@ -55,17 +58,26 @@ def run_trial(trial: Trial) -> Outcome:
     vehicle = make_vehicle(trial.vehicle, trial.steering_hz)
     limits = vehicle.limits
     speed = limits.speed if trial.speed is None else trial.speed
+    own_altitude = 0.0 if limits.kind == "ground" else DEFAULT_ALTITUDE
+    altitude = own_altitude if trial.altitude is None else trial.altitude
     corridor = limits.corridor if trial.corridor is None else trial.corridor
     if not (corridor > 0.0 and math.isfinite(corridor)):
         raise InputError("corridor", f"{corridor:g} m is not a half-width", "choose one above 0")
-    conditions = Conditions(wind=trial.wind)
+    wind = Wind() if limits.kind == "ground" else trial.wind  # no wind moves a truck
+    conditions = Conditions(wind=wind)
     if trial.path.frame is not None:
         conditions = replace(conditions, frame=trial.path.frame)
     _check_start(trial, vehicle)
-    feasibility = assess(trial.path, limits, speed, trial.wind, corridor)
+    feasibility = assess(trial.path, limits, speed, wind, corridor)
+    if trial.path.length > LONGEST_TIME * speed:
+        raise InputError(
+            trial.path.name,
+            f"its {trial.path.length / 1000:.0f} km take more than {LONGEST_TIME / 3600:.0f} h at {speed:.4g} m/s",
+            "give a shorter path",
+        )
     controller = make_controller(trial.controller)
     try:
-        track = follow(trial.path, vehicle, controller, speed, trial.altitude, corridor, conditions, trial.seed)
+        track = follow(trial.path, vehicle, controller, speed, altitude, conditions, trial.seed)
     except (ArithmeticError, RuntimeError) as error:
         raise TrackworthyError(f"{trial.name}: the simulator of {vehicle.name} failed: {error}") from error
     run = Run(trial.path, track, limits, speed, corridor, conditions, feasibility, trial.obstacles, trial.max_range)

@@ -21,8 +21,9 @@ def add_parser(commands: Any) -> None:
 def main(args: argparse.Namespace) -> int:
     """Read, say what was skipped, write."""
     from planners import files
-    from trackworthy.streams import tell
+    from trackworthy.streams import protect, tell
 
+    protect(args.target, args.source)
     source = files.read(args.source)
     notes = [*source.notes, *(["its geofence is not written"] if source.fence else [])]
     tell(f"{args.source}: {note}" for note in notes)

@@ -14,6 +14,15 @@ def tell(notes: Iterable[str]) -> None:
         print(note, file=sys.stderr)
 
 
+def protect(output: str, *inputs: str) -> None:
+    """Refuse an output that would overwrite one of the inputs; raises `InputError`."""
+    from planners.errors import InputError
+
+    for file in inputs:
+        if os.path.exists(output) and os.path.exists(file) and os.path.samefile(output, file):
+            raise InputError(output, "it would overwrite what is read", "give another name")
+
+
 @contextmanager
 def chatter_to_stderr() -> Iterator[None]:
     """Send what simulators print on standard output, from C++ too, to standard error instead."""

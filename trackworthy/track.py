@@ -47,7 +47,7 @@ def main(args: argparse.Namespace) -> int:
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from tracking.trial import run_trial
-    from trackworthy.streams import chatter_to_stderr, tell
+    from trackworthy.streams import chatter_to_stderr, protect, tell
 
     with chatter_to_stderr():
         prepared = prepare(_case(args), Path())
@@ -56,6 +56,8 @@ def main(args: argparse.Namespace) -> int:
         _check_picture(picture)
         for file in args.export:
             check(prepared.trial.path, file)
+        for file in (picture, *args.export):
+            protect(file, *filter(None, (args.path, args.vehicle, args.scenario)))
         outcome = run_trial(prepared.trial)
     save_track_figure(outcome, picture)
     for file in args.export:

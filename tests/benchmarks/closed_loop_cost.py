@@ -64,7 +64,7 @@ def report(
     """Print the ratio of a closed-loop trial, start included, to the bare simulator."""
 
     def trial() -> int:
-        track = follow(path, vehicle, make_controller("lqr"), speed, ALTITUDE, vehicle.limits.corridor, Conditions())
+        track = follow(path, vehicle, make_controller("lqr"), speed, ALTITUDE, Conditions())
         return (len(track) - 1) * per_period
 
     steps = trial()

@@ -9,6 +9,7 @@ from hypothesis.extra.numpy import arrays
 
 from planners.errors import InputError
 from planners.path import Path
+from planners.polyline import resampled
 from sample_paths import circle, right_angle
 
 COORDINATE = st.floats(-1000.0, 1000.0).map(lambda value: round(value, 2))
@@ -18,16 +19,17 @@ POINTS = arrays(float, st.tuples(st.integers(2, 12), st.just(2)), elements=COORD
 
 
 def brute_force_distance(points, x, y):
-    """Distance to the polyline whose outer segments go on, by sampling-free geometry of its own."""
-    best = math.inf
+    """Distance to the polyline; where an end of it is nearest, to its outer segment gone on."""
+    best, end = math.inf, None
     for i in range(len(points) - 1):
         a, b = points[i], points[i + 1]
         t = np.dot([x - a[0], y - a[1]], b - a) / np.dot(b - a, b - a)
-        low = -math.inf if i == 0 else 0.0
-        high = math.inf if i == len(points) - 2 else 1.0
-        foot = a + min(max(t, low), high) * (b - a)
-        best = min(best, math.hypot(x - foot[0], y - foot[1]))
-    return best
+        foot = a + min(max(t, 0.0), 1.0) * (b - a)
+        distance = math.hypot(x - foot[0], y - foot[1])
+        if distance < best - 1e-12:
+            beyond = (i == 0 and t < 0.0) or (i == len(points) - 2 and t > 1.0)
+            best, end = distance, a + t * (b - a) if beyond else None
+    return best if end is None else math.hypot(x - end[0], y - end[1])
 
 
 @given(POINTS, COORDINATE, COORDINATE)
@@ -76,6 +78,20 @@ def test_at_a_vertex_the_normal_of_the_bisector_decides_the_side():
     path = Path([[0.0, 0.0], [100.0, 0.0], [0.0, 10.0]])  # a sharp left-hand corner
     assert path.project(110.0, 0.5).cross_track < 0.0
     assert path.project(110.0, -3.0).cross_track < 0.0
+    assert path.project(110.0, -3.0, 100.0).cross_track < 0.0  # whatever of it the window holds
+
+
+def test_the_last_segment_does_not_go_on_where_its_end_is_not_nearest():
+    """Prolonged, it crosses the path's own beginning; a vehicle there has not arrived."""
+    path = Path([[0, 0], [60, 0], [60, 6], [50, 6], [50, 3]])
+    at = path.project(50.0, -0.1, 40.0, 79.0)
+    assert at.s == pytest.approx(50.0)
+    assert path.project(50.0, 1.5, 78.0).s == pytest.approx(80.5)
+
+
+def test_a_turn_back_along_the_line_is_never_simplified_away():
+    there_and_back = Path([[0.0, 0.0], [3000.0, 0.0], [2800.0, 0.0], [6000.0, 0.0]])
+    assert there_and_back.simplify(3.0).tolist() == [0, 1, 2, 3]
 
 
 def test_the_outer_segments_go_on():
@@ -115,13 +131,11 @@ def test_the_heading_turns_gradually_along_a_curve_and_at_once_at_a_corner():
 @given(POINTS, st.floats(0.5, 50.0))
 def test_resampling_keeps_the_ends_and_never_lengthens(points, spacing):
     path = Path(points)
-    try:
-        resampled = path.resample(spacing)
-    except InputError:
-        return  # a path that returns on itself can be resampled onto one point twice
-    assert np.allclose(resampled.points[[0, -1]], path.points[[0, -1]])
-    assert resampled.length <= path.length + 1e-6
-    assert np.diff(resampled.s).max() <= spacing + 1e-6
+    line = resampled(path.points, path.s, spacing)
+    steps = np.hypot(*np.diff(line, axis=0).T)
+    assert np.allclose(line[[0, -1]], path.points[[0, -1]])
+    assert steps.sum() <= path.length + 1e-6
+    assert steps.max() <= spacing + 1e-6
 
 
 @given(POINTS, st.floats(0.1, 50.0))

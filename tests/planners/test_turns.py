@@ -41,3 +41,9 @@ def test_a_reversal_offers_nothing():
 
 def test_a_straight_path_has_no_turns():
     assert len(available_radii(Path([[0.0, 0.0], [5.0, 0.0], [9.0, 0.0]]), 1.0)[0]) == 0
+
+
+@pytest.mark.parametrize("chamfer", [0.5, 1.0, 2.0])
+def test_a_chamfer_does_not_make_a_corner_a_curve(chamfer):
+    path = Path([[0.0, 0.0], [1000.0 - chamfer, 0.0], [1000.0, chamfer], [1000.0, 40.0]])
+    assert available_radii(path, 30.0)[2].min() == pytest.approx(20.0, rel=0.1)

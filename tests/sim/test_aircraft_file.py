@@ -65,6 +65,11 @@ def test_a_speed_at_which_it_does_not_fly_level_is_refused(tmp_path, capfd):
     [
         ("bank_limit = 45.0", "bank_limits = 45.0", "bank_limit"),
         ("bank_limit = 45.0", 'bank_limit = "steep"', "envelope.bank_limit"),
+        ("bank_limit = 45.0", "bank_limit = 0.0", "envelope.bank_limit"),
+        ("bank_limit = 45.0", "bank_limit = -45.0", "envelope.bank_limit"),
+        ("alpha_stall = 16.0", "alpha_stall = nan", "envelope.alpha_stall"),
+        ("altitude_time = 5.0", "altitude_time = 0.0", "pitch.altitude_time"),
+        ("span = 10.97", "span = -1.0", "span"),
         ("[roll] ", "[role] ", "role"),
         ("[roll] ", "[roll ", "TOML"),
     ],

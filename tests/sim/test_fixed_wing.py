@@ -4,6 +4,7 @@ from dataclasses import replace
 import jsbsim
 import numpy as np
 import pytest
+from msgspec import structs
 from pyproj import Geod
 
 from planners.errors import InputError
@@ -85,6 +86,18 @@ def test_wind_displaces_an_uncontrolled_aircraft_as_the_wind_triangle_says(wind)
     assert math.atan2(y, x) == pytest.approx(START.course, abs=5e-3)
 
 
+@pytest.mark.parametrize("direction", [43.8, 44.0, 45.0, 45.2])
+def test_it_starts_where_jsbsims_trim_is_singular(direction):
+    """Due east in 30 m/s from the north-east, trim would see 90 deg of sideslip."""
+    aircraft = FixedWing(load_aircraft("c172x"))
+    conditions = Conditions(wind=Wind.blowing_from(30.0, direction))
+    state = aircraft.reset(Pose(0.0, 0.0, 1000.0, 0.0), V, conditions, 0)
+    assert state.airspeed == pytest.approx(V, abs=1.0)
+    later = [aircraft.step(Command(0.0, V, 1000.0)) for _ in range(60)][-1]
+    assert later.airspeed == pytest.approx(V, abs=1.0)
+    assert later.course == pytest.approx(0.0, abs=0.03)
+
+
 def test_curvature_over_the_ground_is_kept_through_the_wind():
     states = fly(1 / 800.0, 100.0, Wind.blowing_from(10.0, 300.0))[100:]
     assert column(states, "curvature") == pytest.approx(1 / 800.0, rel=0.15)
@@ -108,6 +121,72 @@ def test_a_steady_climb_follows_its_slope():
     slope = np.polyfit(column(late, "t") * V, column(late, "z"), 1)[0]
     assert slope == pytest.approx(0.05, rel=0.03)
     assert column(late, "airspeed") == pytest.approx(V, abs=2.0)
+
+
+def test_bank_stops_at_its_limit_and_says_so():
+    states = fly(1 / 50.0, 20.0)
+    assert np.degrees(channel(states, "bank")).max() < 47.0
+    assert np.degrees(channel(states[200:], "bank")).mean() == pytest.approx(45.0, abs=0.5)
+    assert states[-1].saturated
+    assert not fly(1 / 2000.0, 5.0)[-1].saturated
+
+
+def test_bank_moves_no_faster_than_its_rate_limit():
+    bank = np.degrees(channel(fly(1 / 50.0, 4.0), "bank"))
+    rate = np.diff(bank) / FixedWing.period
+    assert 25.0 < rate.max() < 40.0  # the command moves at 30 deg/s
+
+
+def test_curvature_to_bank_uses_ground_speed_and_crab():
+    """On course across a 20 m/s wind, tan(bank) = Vg^2 k / (g cos(crab))."""
+    wind = Wind.blowing_from(20.0, 340.0)
+    radius = 3000.0
+    states = fly(1 / radius, 30.0, wind)[200:]
+    crab = column(states, "heading") - column(states, "course")
+    assert np.abs(crab).max() > math.radians(15.0)
+    expected = np.arctan(column(states, "ground_speed") ** 2 / (radius * 9.8 * np.cos(crab)))
+    assert channel(states, "bank").mean() == pytest.approx(expected.mean(), rel=0.03)
+
+
+def test_stall_margin_is_the_angle_of_attack_that_remains():
+    state = fly(0.0, 1.0)[-1]
+    alpha, margin = state.channels[3], state.channels[4]
+    assert math.degrees(alpha + margin) == pytest.approx(16.0)
+
+
+def test_a_stall_is_a_fault():
+    """With a wing that stalls at 1 deg of angle of attack, a turn at 45 deg of bank is one."""
+    model = load_aircraft("c172x")
+    weak = structs.replace(model, envelope=structs.replace(model.envelope, alpha_stall=1.0))
+    aircraft = FixedWing(weak)
+    aircraft.reset(START, V, Conditions(), 0)
+    faults = [aircraft.step(Command(1 / 300.0, V, 1000.0)).fault for _ in range(200)]
+    assert faults[0] == ""
+    assert "stall" in faults
+
+
+def test_a_step_of_the_slope_is_taken_up_gently():
+    """Level, then 50 %: the aircraft climbs as it can, and pulls no more than a third of a g to get there."""
+    aircraft = FixedWing(load_aircraft("c172x"))
+    states = [aircraft.reset(START, V, Conditions(), 0)]
+    for i in range(1200):
+        states.append(aircraft.step(Command(0.0, V, 1000.0 + max(0, i - 200) * 1.4, 0.5 if i > 200 else 0.0)))
+    assert channel(states, "load_factor").max() < 1.5
+    assert channel(states, "load_factor").min() > 0.5
+    assert column(states, "airspeed").min() > 45.0
+
+
+def test_far_from_the_origin_course_and_heading_are_still_those_of_the_frame():
+    """At 60 deg north, 150 km east of the origin, true north is 2.3 deg off the frame's y axis."""
+    frame = Frame(60.0, 10.0)
+    aircraft = FixedWing(load_aircraft("c172x"))
+    pose = Pose(150_000.0, 20_000.0, 1000.0, 0.4)
+    states = [aircraft.reset(pose, V, Conditions(frame=frame), 0)]
+    states += [aircraft.step(Command(0.0, V, 1000.0)) for _ in range(200)]
+    moved = math.atan2(states[-1].y - states[0].y, states[-1].x - states[0].x)
+    assert moved == pytest.approx(0.4, abs=2e-3)
+    assert states[-1].course == pytest.approx(moved, abs=2e-3)
+    assert states[-1].heading == pytest.approx(moved, abs=5e-3)
 
 
 def test_bank_responds_within_the_stated_time():
@@ -164,3 +243,5 @@ def test_a_start_below_ground_and_a_wind_stronger_than_the_aircraft_are_refused(
         aircraft.reset(replace(START, z=0.0), V, Conditions(), 0)
     with pytest.raises(InputError, match="cannot be held"):
         aircraft.reset(START, V, Conditions(wind=Wind(north=80.0)), 0)
+    with pytest.raises(InputError, match="no way"):
+        aircraft.reset(START, V, Conditions(wind=Wind(-57.3, -17.7)), 0)

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from sample_paths import aircraft_weave, road_weave
-from sim.vehicles import make_vehicle
 from sim.wind import Wind
 from tracking.controllers import ALL_CONTROLLERS
 from tracking.trial import Trial, run_trial
@@ -29,10 +28,6 @@ def drive(controller, speed_kmh, steering_hz=20.0):
 def value(outcome, metric):
     assert outcome.metrics[metric].valid
     return outcome.metrics[metric].value
-
-
-def test_every_vehicle_has_its_promise_here():
-    assert {make_vehicle(name).name for name in ("c172x", "truck")} == {"c172x", "truck"}
 
 
 @pytest.mark.parametrize("controller", ["lqr", "l1"])

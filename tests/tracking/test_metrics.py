@@ -21,11 +21,20 @@ TRUCK = make_vehicle("truck")
 LINE = Path([[0.0, 0.0], [100.0, 0.0]])
 
 
-def run_along(x, y, path=LINE, corridor=0.5, obstacles=None, speed=10.0, ended="completed", **columns):
+def projections(x, y, path, window):
+    """Each position projected on `path`, forwards from the one before."""
+    found, s = [], 0.0
+    for px, py in zip(x, y, strict=True):
+        found.append(path.project(px, py, s, s + window) if window else path.project(px, py))
+        s = max(s, found[-1].s)
+    return found
+
+
+def run_along(x, y, path=LINE, corridor=0.5, obstacles=None, speed=10.0, window=None, **columns):
     """A run whose truck was at x, y (N,), at constant speed, projected on `path`."""
     x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
     course = np.arctan2(np.gradient(y), np.gradient(x))
-    at = [path.project(px, py) for px, py in zip(x, y, strict=True)]
+    at = projections(x, y, path, window)
     steps = np.hypot(np.diff(x), np.diff(y))
     values = {
         "t": np.concatenate([[0.0], np.cumsum(steps)]) / speed,
@@ -45,7 +54,7 @@ def run_along(x, y, path=LINE, corridor=0.5, obstacles=None, speed=10.0, ended="
     data = np.column_stack([np.broadcast_to(values.get(name, 0.0), len(x)) for name in names])
     conditions, limits = Conditions(), TRUCK.limits
     feasibility = assess(path, limits, speed, conditions.wind, corridor)
-    return Run(path, Track(names, data, ended), limits, speed, corridor, conditions, feasibility, obstacles)
+    return Run(path, Track(names, data, "completed"), limits, speed, corridor, conditions, feasibility, obstacles)
 
 
 def value(run, name):
@@ -104,9 +113,67 @@ def test_unreached_path_counts_metre_by_metre():
     metrics = measure(run_along(np.linspace(0, 50, 51), np.zeros(51)))
     assert metrics["cross_track_max"].value == pytest.approx(49.0, abs=1.0)
     assert math.isnan(metrics["cross_track_max"].t)
-    assert metrics["cross_track_mean"].value == pytest.approx(sum(range(50)) / 100, rel=0.02)
-    assert metrics["corridor_violation_distance"].value == pytest.approx(50.0)
+    assert metrics["cross_track_mean"].value == pytest.approx(50.0**2 / 2 / 100)
+    assert metrics["corridor_violation_distance"].value == pytest.approx(49.0)  # the first metre is near
     assert "1 of 2 waypoints" in metrics["completion"].note
+
+
+def test_the_bias_of_unreached_path_is_on_the_side_of_the_tracks():
+    half = np.linspace(0, 50, 51)
+    assert value(run_along(half, np.full(51, -0.2)), "cross_track_mean") < -10.0
+    assert value(run_along(half, np.full(51, 0.2)), "cross_track_mean") > 10.0
+
+
+def test_path_that_is_retraced_is_not_reached_by_having_been_near_it_before():
+    """Stopped where it should have turned back: the way back is as far as it is."""
+    there_and_back = Path([[0.0, 0.0], [1000.0, 0.0], [0.0, 0.0]])
+    metrics = measure(run_along(np.linspace(0, 999, 1000), np.zeros(1000), there_and_back, window=30.0))
+    assert metrics["completion"].value == pytest.approx(0.5, abs=0.01)
+    assert metrics["cross_track_p95"].value > 800.0
+    assert metrics["corridor_fraction"].value == pytest.approx(0.5, abs=0.01)
+
+
+def test_a_loop_left_out_is_not_followed():
+    """Straight on, past a loop of 30 m radius that the projection leaps over."""
+    ring = np.linspace(0.0, 2 * math.pi, 200)
+    loop = np.column_stack([50.0 + 30.0 * np.sin(ring), 30.0 * (1.0 - np.cos(ring))])
+    path = Path(np.concatenate([[[0.0, 0.0]], loop, [[100.0, 0.0]]]))
+    metrics = measure(run_along(np.linspace(0, 101, 203), np.zeros(203), path, window=300.0))
+    assert metrics["cross_track_max"].value == pytest.approx(60.0, abs=1.0)
+    assert metrics["completion"].value < 0.5
+    assert metrics["corridor_fraction"].value < 0.5
+    assert "200 of" not in metrics["completion"].note
+
+
+def test_a_corner_cut_within_the_corridor_is_followed():
+    path = Path([[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]])
+    x = np.concatenate([np.linspace(0, 47, 95), np.linspace(47, 50, 8)[1:], np.full(100, 50.0)])
+    y = np.concatenate([np.zeros(95), np.linspace(0, 3, 8)[1:], np.linspace(3.5, 50.5, 100)])
+    metrics = measure(run_along(x, y, path, corridor=4.0))
+    assert metrics["completion"].value == 1.0
+    assert metrics["corridor_fraction"].value == pytest.approx(1.0)
+    assert metrics["cross_track_max"].value == pytest.approx(3.0 / math.sqrt(2.0), abs=0.3)
+
+
+def test_lateral_and_steering_extremes_come_from_their_channels():
+    steering = np.linspace(-0.2, 0.1, 11)
+    rate = np.linspace(0.0, -0.3, 11)
+    saturated = np.where(np.arange(11) < 3, 1.0, 0.0)
+    run = run_along(np.linspace(0, 100, 11), np.zeros(11), steering=steering, steering_rate=rate, saturated=saturated)
+    metrics = measure(run)
+    assert metrics["steering_max"].value == pytest.approx(0.2)
+    assert metrics["steering_rate_max"].value == pytest.approx(0.3)
+    assert metrics["control_saturation"].value == pytest.approx(3 / 11)
+    assert "range_used" not in metrics
+    limited = Run(run.path, run.track, run.limits, 10.0, 0.5, run.conditions, run.feasibility, max_range=50.0)
+    assert measure(limited)["range_used"].value == pytest.approx(2.0)
+
+
+def test_the_trucks_body_is_ahead_of_its_rear_axle():
+    """A wall 2 m behind the axle clears the body, which begins 1.25 m behind it; 2 m ahead, it is inside."""
+    behind = Map(polygons=(np.array([[-4.0, -3.0], [-2.0, -3.0], [-2.0, 3.0], [-4.0, 3.0]]),))
+    run = run_along(np.linspace(0, 100, 11), np.zeros(11), obstacles=behind)
+    assert value(run, "clearance_min") == pytest.approx(2.0 - (3.5 - 2.25))
 
 
 def test_flown_turn_is_the_course_change_over_the_median_leg():
@@ -160,12 +227,12 @@ def test_demanded_lateral_acceleration_is_speed_squared_times_commanded_curvatur
 def test_a_track_of_one_sample_is_measured():
     metrics = measure(_one_sample())
     assert metrics["completion"].value == 0.0
-    assert metrics["cross_track_max"].value == pytest.approx(99.0)
+    assert metrics["cross_track_max"].value == pytest.approx(99.5)
     assert not metrics["frechet"].valid
 
 
 def _one_sample():
-    run = run_along(np.array([0.0, 1.0]), np.zeros(2), ended="not a number")
+    run = run_along(np.array([0.0, 1.0]), np.zeros(2))
     track = Track(run.track.columns, run.track.data[:1], run.track.ended)
     return Run(run.path, track, run.limits, 10.0, 0.5, run.conditions, run.feasibility)
 

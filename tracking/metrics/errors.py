@@ -7,17 +7,20 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from planners.kernel import Floats
+from planners.kernel import Bools, Floats
 from tracking.metric import Metric, Where
 from tracking.run import Run
+
+LEAST = 20  # samples of a gap, however short
+SKIPPED = 3.0  # times the distance flown: where the projection moves on by more, path was left out
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
     """Samples of the cross-track error `e` [m] with weights [m], arc lengths `s` [m] and times `t` [s].
 
-    The first `flown` samples are of the track; the rest are the unreached path, a sample a metre, each with its
-    distance to the nearest flown point and no time.
+    The first `flown` samples are of the track; the rest are path that was skipped or not reached, a sample a metre or
+    denser, each with its distance to where the vehicle was from then on, and no time.
     """
 
     e: Floats
@@ -30,24 +33,52 @@ class Errors:
         """Arc length and time of the sample of that index."""
         return Where(s=float(self.s[sample]), t=float(self.t[sample]))
 
+    def missed(self, corridor: float) -> Bools:
+        """Which samples are path that the vehicle did not come near, and never passed: beyond `corridor` [m]."""
+        left_out = np.arange(len(self.e)) >= self.flown
+        return np.asarray(left_out & (np.abs(self.e) > corridor))
+
 
 def cross_track_errors(run: Run) -> Errors:
-    """The track's errors, and the unreached path's."""
+    """The track's errors, and those of the path that it left out."""
     track = run.track
     e, s, t = track["cross_track"], track["s"], track["t"]
     weight = centred_weights(track.distance)
-    missing = unreached(run)
-    xy = np.array([run.path.point_at(float(at)) for at in missing]).reshape(-1, 2)
-    distance = cKDTree(np.column_stack([track["x"], track["y"]])).query(xy)[0] if len(missing) else missing
     # On the side of the bias, so that it never looks smaller for what was not flown
     bias = float(np.sum(e * weight))
+    pieces = [_left_out(run, *gap) for gap in gaps(run)]
+    at, length, distance = (np.concatenate([[], *(piece[k] for piece in pieces)]) for k in range(3))
     return Errors(
         np.concatenate([e, np.copysign(distance, bias)]),
-        np.concatenate([weight, np.ones(len(missing))]),
-        np.concatenate([s, missing]),
-        np.concatenate([t, np.full(len(missing), np.nan)]),
+        np.concatenate([weight, length]),
+        np.concatenate([s, at]),
+        np.concatenate([t, np.full(len(at), np.nan)]),
         len(e),
     )
+
+
+def gaps(run: Run) -> list[tuple[float, float, int]]:
+    """Stretches of path, from and to [m], that were left out after the track's sample of that index.
+
+    The projection moves along the path as the vehicle does, or a little faster inside a curve; where it leaps, the
+    vehicle took a shortcut. What lies beyond the last sample was not reached.
+    """
+    s = np.clip(run.track["s"], 0.0, run.path.length)
+    leaps = np.flatnonzero(np.diff(s) > SKIPPED * np.diff(run.track.distance) + 1e-6)
+    found = [(float(s[i]), float(s[i + 1]), int(i)) for i in leaps]
+    if s[-1] < run.path.length:
+        found.append((float(s[-1]), run.path.length, len(s) - 1))
+    return found
+
+
+def _left_out(run: Run, s_from: float, s_to: float, sample: int) -> tuple[Floats, Floats, Floats]:
+    """Samples of a gap: arc lengths, weights, and distances to the nearest point flown from then on."""
+    count = max(LEAST, int(np.ceil(s_to - s_from)))
+    edges = np.linspace(s_from, s_to, count + 1)
+    middles = (edges[1:] + edges[:-1]) / 2
+    xy = np.array([run.path.point_at(float(s)) for s in middles])
+    later = np.column_stack([run.track["x"], run.track["y"]])[sample:]
+    return middles, np.diff(edges), cKDTree(later).query(xy)[0]
 
 
 def centred_weights(at: Floats) -> Floats:
@@ -57,12 +88,6 @@ def centred_weights(at: Floats) -> Floats:
     half = np.diff(at) / 2
     weights: Floats = np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
     return weights
-
-
-def unreached(run: Run) -> Floats:
-    """Arc lengths [m], a metre apart, of the path that was not reached."""
-    reached = max(float(run.track["s"].max()), 0.0)
-    return np.arange(reached, run.path.length, 1.0) if reached < run.path.length else np.empty(0)
 
 
 def weighted_quantile(values: Floats, weight: Floats, share: float) -> float:

@@ -7,21 +7,34 @@ import math
 import numpy as np
 
 from planners.kernel import Floats, kernel
-from planners.path import Path
+from planners.polyline import resampled
 from tracking.metric import Metric
 from tracking.run import Run
 
+FAR = 10.0  # corridors, beyond which a distance need not be known to a tenth of the corridor
+MOST_POINTS = 500_000  # of a resampled curve
+SHARE = 0.01  # of such a distance, to which it is known
+
 
 def frechet(run: Run) -> list[Metric]:
-    """Discrete Frechet distance [m] (Eiter and Mannila 1994) of both curves, resampled to a tenth of the corridor."""
-    spacing = 0.1 * run.corridor
-    flown = np.column_stack([run.track["x"], run.track["y"]])
-    moved = np.concatenate([[True], (np.diff(flown, axis=0) != 0.0).any(axis=1)])
-    if np.count_nonzero(moved) < 2:
+    """Discrete Frechet distance [m] of both curves, resampled to a tenth of the corridor (Eiter and Mannila 1994).
+
+    Where the curves part by more than ten corridors the spacing is a hundredth of their greedy distance: the recursion
+    would take quadratic time for digits that tell nothing.
+    """
+    track = run.track
+    flown, distance = np.column_stack([track["x"], track["y"]]), track.distance
+    if distance[-1] == 0.0:
         return [Metric("frechet", math.nan, "m", valid=False, note="the vehicle did not move")]
-    a = np.ascontiguousarray(Path(flown[moved]).resample(spacing).xy)
-    b = np.ascontiguousarray(run.path.resample(spacing).xy)
-    return [Metric("frechet", frechet_distance(a, b), "m", note=f"both resampled to {spacing:.3g} m")]
+    spacing = max(0.1 * run.corridor, max(distance[-1], run.path.length) / MOST_POINTS)
+    for _ in range(2):
+        a = resampled(flown, distance, spacing)
+        b = resampled(run.path.xy, run.path.s, spacing)
+        bound = _greedy(a, b)
+        if SHARE * bound <= spacing or bound <= FAR * run.corridor:
+            break
+        spacing = SHARE * bound
+    return [Metric("frechet", _within(a, b, bound), "m", note=f"both resampled to {spacing:.3g} m")]
 
 
 def frechet_distance(a: Floats, b: Floats) -> float:
