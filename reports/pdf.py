@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import tempfile
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from reports.files import atomic
@@ -25,18 +25,27 @@ def write_pdf(
     *,
     subtitle: str = "",
     commands: Sequence[str] = (),
+    errors: Mapping[str, str] | None = None,
 ) -> None:
     """Write the report on `outcomes` under `title`: the same outcomes give the same bytes.
 
-    `commands` says how to repeat each case, in the order of `outcomes`; it may be shorter. The file appears
+    `commands` says how to repeat each case, in the order of `outcomes`; it may be shorter. `errors` tells by name of
+    the cases that failed to run, and why. The file appears
     whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where typst
     fails.
     """
     with tempfile.TemporaryDirectory(prefix="trackworthy-pdf-") as folder, atomic(file) as temporary:
-        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands))
+        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, errors or {}))
 
 
-def _compiled(outcomes: Sequence[Outcome], folder: Path, title: str, subtitle: str, commands: Sequence[str]) -> bytes:
+def _compiled(
+    outcomes: Sequence[Outcome],
+    folder: Path,
+    title: str,
+    subtitle: str,
+    commands: Sequence[str],
+    errors: Mapping[str, str],
+) -> bytes:
     import typst
 
     from planners.errors import TrackworthyError
@@ -47,7 +56,9 @@ def _compiled(outcomes: Sequence[Outcome], folder: Path, title: str, subtitle: s
         figure = f"case-{number}.svg"
         save_track_figure(outcome, folder / figure, page=True)
         cases.append(case_data(outcome, figure, commands[number] if number < len(commands) else ""))
-    data = json.dumps({"title": title, "subtitle": subtitle, **_counts(outcomes), "cases": cases}, ensure_ascii=False)
+    failed: list[Json] = [{"name": name, "error": error} for name, error in errors.items()]
+    told = {"title": title, "subtitle": subtitle, **_counts(outcomes), "cases": cases, "errors": failed}
+    data = json.dumps(told, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
     (folder / "report.json").write_text(data, encoding="utf-8")
     (folder / "report.typ").write_bytes(_TEMPLATE.read_bytes())

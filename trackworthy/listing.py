@@ -66,9 +66,22 @@ def _formats() -> list[str]:
 
 
 def _metrics() -> list[str]:
-    from tracking.metrics import ALL_METRICS
+    """Their names, from one metre driven and one flown: what a vehicle measures depends on the vehicle."""
+    import numpy as np
 
-    return [_summary(metric) for metric in ALL_METRICS]
+    from planners.map import Map
+    from planners.path import Path
+    from tracking.trial import Trial, run_trial
+
+    here = Path(np.array([[0.0, 0.0], [1.0, 0.0]]))
+    trials = (Trial("one metre", here, vehicle, obstacles=Map(), max_range=1.0) for vehicle in ("c172x", "truck"))
+    metrics = {name: metric for trial in trials for name, metric in run_trial(trial).metrics.items()}
+    shown = {"rad": "deg", "rad/s": "deg/s", "m/s^2": "m/s^2 or g", "share": "%", "1": ""}
+    better = {"lower": "lower is better", "higher": "higher is better", "neither": ""}
+    return [
+        f"{name:<30}{shown.get(metric.unit, metric.unit):<12}{better[metric.better]}".rstrip()
+        for name, metric in metrics.items()
+    ]
 
 
 def _summary(documented: object) -> str:

@@ -54,14 +54,15 @@ def _write(campaign: Campaign, results: list[Result], folder: Path, called: str)
     from reports.track_figure import save_track_figure
 
     outcomes = [result.outcome for result in results if result.outcome]
+    errors = {result.case.name: result.error for result in results if not result.outcome}
     (folder / "figures").mkdir(exist_ok=True)
     for number, outcome in enumerate(outcomes, start=1):
         save_track_figure(outcome, folder / "figures" / f"{number}-{slug(outcome.name)}.png")
+    summary = {"cases": [to_json(outcome) for outcome in outcomes], "errors": errors}
     with atomic(folder / "summary.json") as temporary:
-        temporary.write_text(json.dumps([to_json(outcome) for outcome in outcomes], indent=2) + "\n")
+        temporary.write_text(json.dumps(summary, indent=2) + "\n")
     commands = [shlex.join(["trackworthy", "run", called, "--case", outcome.name]) for outcome in outcomes]
-    if outcomes:
-        write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands)
+    write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, errors=errors)
 
 
 def _answer(results: list[Result], folder: Path) -> int:
@@ -74,8 +75,8 @@ def _answer(results: list[Result], folder: Path) -> int:
         print(f"{mark} {result.case.name}: {sentence(result.outcome) if result.outcome else result.error}")
     passed = sum(result.outcome is not None and result.outcome.verdict.passed for result in results)
     failed = sum(result.outcome is None for result in results)
-    report = f"; report: {folder / 'report.pdf'}" if failed < len(results) else ""
-    print(f"{passed} of {len(results)} cases as expected{f', {failed} failed to run' if failed else ''}{report}")
+    failures = f", {failed} failed to run" if failed else ""
+    print(f"{passed} of {len(results)} cases as expected{failures}; report: {folder / 'report.pdf'}")
     if failed:
         return TrackworthyError.exit_code
     return 0 if passed == len(results) else 1

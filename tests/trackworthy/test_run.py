@@ -26,7 +26,7 @@ def test_quickstart_is_as_expected_and_writes_its_report(tmp_path, capfd):
     assert "4 of 4 cases as expected" in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
     assert len(list((tmp_path / "out" / "figures").glob("*.png"))) == 4
-    verdicts = [case["trackworthy"] for case in json.loads((tmp_path / "out" / "summary.json").read_text())]
+    verdicts = [case["trackworthy"] for case in json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]]
     assert verdicts == [True, True, True, False]
 
 
@@ -55,6 +55,9 @@ def test_a_case_that_crashes_costs_itself_only(tmp_path, capfd, monkeypatch):
     out = capfd.readouterr().out
     assert out.count("pass") == 2
     assert "the tyres came off" in out
+    summary = json.loads((tmp_path / "runs" / "mine" / "summary.json").read_text())
+    assert len(summary["cases"]) == 2
+    assert list(summary["errors"]) == ["line 12"]
 
 
 def test_lists_multiply_out(tmp_path):

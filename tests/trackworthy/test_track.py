@@ -223,6 +223,23 @@ def test_list_shows_what_there_is(run, what):
     assert len(out.splitlines()) >= 1
 
 
+def test_list_names_every_metric_that_can_be_required(run):
+    _, out, _ = run("list", "metrics")
+    names = [line.split()[0] for line in out.splitlines()]
+    assert {"cross_track_p95", "bank_max", "lateral_acceleration_max", "clearance_min", "range_used"} <= set(names)
+
+
+def test_nothing_that_is_read_is_overwritten(run, tmp_path):
+    before = (tmp_path / "valley-survey.plan").read_text()
+    assert run("convert", "valley-survey.plan", "valley-survey.plan")[0] == 2
+    write(road_weave(10.0), "mine.csv")
+    code, _, err = run("track", "mine.csv", "--vehicle", "truck", "--export", "./mine.csv")
+    assert code == 2
+    assert "overwrite" in err
+    assert (tmp_path / "valley-survey.plan").read_text() == before
+    assert (tmp_path / "mine.csv").read_text().startswith("x,y")
+
+
 def test_it_runs_as_a_module():
     help_text = subprocess.run(
         [sys.executable, "-m", "trackworthy", "--help"], capture_output=True, text=True, check=True
