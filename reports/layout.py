@@ -49,7 +49,7 @@ class Layout:
 
     @property
     def lowest(self) -> tuple[bool, ...]:
-        """Whether each series is the last in its column."""
+        """Whether each series is the last in its column, and so has the labels of the axis that it shares."""
         return tuple(not any(_under(other, box) for other in self.series) for box in self.series)
 
 
@@ -111,14 +111,16 @@ def _low(aspect: float, count: int) -> Layout:
 
 
 def _pairs(top: float, count: int, sizes: _Sizes) -> tuple[Box, ...]:
-    """`count` boxes two in a row, from `top` on; an odd one has the first row alone."""
-    half, step, alone = (_FULL - _GAP) / 2, sizes.panel + sizes.between, count % 2
-    boxes = [Box(LEFT, top, _FULL, sizes.panel)] * alone
-    for row in range(alone, alone + count // 2):
+    """`count` boxes two in a row, from `top` on; an odd one has the first row, and an axis of its own, alone."""
+    half, step = (_FULL - _GAP) / 2, sizes.panel + sizes.between
+    boxes = [Box(LEFT, top, _FULL, sizes.panel)] * (count % 2)
+    if boxes:
+        top += sizes.panel + _LABELS + _TITLE
+    for row in range(count // 2):
         boxes += [Box(left, top + row * step, half, sizes.panel) for left in (LEFT, LEFT + half + _GAP)]
     return tuple(boxes)
 
 
 def _under(lower: Box, upper: Box) -> bool:
     overlaps = lower.left < upper.left + upper.width and upper.left < lower.left + lower.width
-    return overlaps and lower.top > upper.top
+    return overlaps and lower.top > upper.top and lower.width == upper.width

@@ -15,6 +15,8 @@ from tracking.verdict import TRACKWORTHY
 
 GROUND = "ground"
 _KMH = 3.6  # [km/h per m/s]
+# Metrics that a leg too steep explains.
+_BY_SLOPES = ("altitude_", "load_factor_", "stall_")
 # Metrics that a turn too tight cannot explain, by the start of their name.
 _NOT_BY_TURNS = ("speed_", "range_", "separation_", "path_", "stall_")
 
@@ -98,7 +100,7 @@ def place(margin: Margin) -> str:
 def cause(outcome: Outcome, margin: Margin) -> str:
     """What in the plan asks too much of the vehicle at the place of `margin`, or "" where nothing does."""
     name, s = margin.metric.name, margin.metric.s
-    if name.startswith("altitude_"):
+    if name.startswith(_BY_SLOPES):
         leg = _slope_at(outcome.feasibility.steep, s)
         return _slope_words(leg) if leg else ""
     stretches = outcome.feasibility.stretches

@@ -70,6 +70,8 @@ def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[st
     for element in [*root.findall("system"), *root.findall("autopilot")]:
         if element.get("file") in replaced:
             root.remove(element)
+    for element in [*root.findall("output"), *root.findall("input")]:
+        root.remove(element)  # it would write beside JSBSim's own data, or listen on a port
     off = ET.SubElement(root, "system", name="own autopilot, off")
     for name in outputs:
         ET.SubElement(off, "property", value="0").text = name
@@ -113,10 +115,11 @@ def start_in_equilibrium(
                 fdm["atmosphere/wind-north-fps"] = wind.north / METRES_PER_FOOT
                 fdm["atmosphere/wind-east-fps"] = wind.east / METRES_PER_FOOT
                 return
+    said = f" ({listener.errors()})" if listener.errors() else ""
     raise InputError(
-        "speed",
-        f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m ({listener.errors()})",
-        "choose another speed or altitude",
+        "speed or altitude",
+        f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m{said}",
+        "choose others",
     )
 
 

@@ -1,9 +1,13 @@
+import shutil
+from pathlib import Path
+
+import jsbsim
 import pytest
 
 from planners.errors import InputError
 from sim.aircraft_file import AIRCRAFT_FOLDER, ALL_AIRCRAFT, load_aircraft
 from sim.fixed_wing import FixedWing
-from sim.vehicle import Conditions, Pose
+from sim.vehicle import Command, Conditions, Pose
 from sim.vehicles import make_vehicle
 
 C172X = (AIRCRAFT_FOLDER / "c172x.toml").read_text()
@@ -86,3 +90,17 @@ def test_unknown_vehicles_and_missing_files_are_refused():
         make_vehicle("boat")
     with pytest.raises(InputError, match="no such file"):
         make_vehicle("nowhere.toml")
+
+
+def test_a_run_writes_nothing_beside_the_aircraft(tmp_path):
+    """The stock c172x asks for a CSV file in JSBSim's own folder."""
+    data = Path(jsbsim.get_default_root_dir())
+    shutil.copytree(data / "aircraft" / "c172x", tmp_path / "aircraft" / "c172x")
+    for folder in ("engine", "systems"):
+        shutil.copytree(data / folder, tmp_path / folder)
+    aircraft = FixedWing(load_aircraft(variant(tmp_path, 'model = "c172x" ', 'root = "."\nmodel = "c172x" ')))
+    before = set(tmp_path.rglob("*"))
+    aircraft.reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
+    for _ in range(100):
+        aircraft.step(Command(0.0, 55.0, 500.0))
+    assert set(tmp_path.rglob("*")) == before
