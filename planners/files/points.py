@@ -74,7 +74,7 @@ def _path(source: Source, label: Label, xy: Floats, z: Column | None, frame: Fra
         what = f"{points[i].tolist()} is beyond {FARTHEST:g} m"
         raise InputError(f"{place}: {label(int(i))}", what, "give coordinates in a local frame")
     for i in np.flatnonzero((np.diff(xy, axis=0) == 0.0).all(axis=1))[:1]:
-        what = f"the point is in the same place as {label(int(i))}"
+        what = f"the point is in the same place as {label(int(i))}, or straight above it"
         raise InputError(f"{place}: {label(int(i) + 1)}", what, "leave one of them out")
     if len(xy) < 2:
         raise InputError(place, f"a path needs at least two points, this has {len(xy)}", "add points")
