@@ -63,7 +63,10 @@ def test_header_in_a_comment(read):
         ("lat_rad,lon_rad\n", "line 1: column 'lat_rad' has another unit; convert it to degrees"),
         ("lat,lon\n47,8\n123,8\n", "line 3: latitude 123.0 is not within +-90 degrees; give degrees"),
         ("lat,lon\n47,8\n47,-181\n", "line 3: longitude -181.0 is not within +-180 degrees"),
-        ("x,y\n0,0\n# here\n1,0\n1,0\n", "line 5: the point is in the same place as line 4; leave one"),
+        (
+            "x,y\n0,0\n# here\n1,0\n1,0\n",
+            "line 5: the point is in the same place as line 4, or straight above it; leave one",
+        ),
         ("x,y,z\n0,0,0\n0,0,9\n", "line 3: the point is in the same place as line 2"),
         ("lat,lon\n47,180\n47,-180\n", "line 3: the point is in the same place as line 2"),
         ("x,y\n0,0\n" + "9" * 200_000 + ",0\n", "line 3: broken CSV: field larger than field limit"),
