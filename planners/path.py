@@ -161,4 +161,5 @@ def _check(points: Floats, name: str) -> None:
         raise InputError(name, f"it reaches beyond {FARTHEST:g} m", "give coordinates in metres")
     same = np.flatnonzero((np.diff(points[:, :2], axis=0) == 0.0).all(axis=1))
     if len(same):
-        raise InputError(name, f"points {same[0] + 1} and {same[0] + 2} are in the same place, or above each other", "leave one out")
+        what = f"points {same[0] + 1} and {same[0] + 2} are in the same place, or above each other"
+        raise InputError(name, what, "leave one out")
