@@ -13,6 +13,7 @@ from pathlib import Path
 import jsbsim
 
 from planners.errors import InputError, TrackworthyError
+from planners.typed_toml import suggestion
 from planners.units import METRES_PER_FOOT
 from sim.aircraft_file import Aircraft
 from sim.jsbsim_log import listening
@@ -36,7 +37,7 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
         raise InputError(
             "aircraft",
             f"JSBSim has no model {model!r} in {folder / 'aircraft'}",
-            f"it has {', '.join(known) or 'none at all'}",
+            suggestion(model, known) if known else "it has none at all",
         )
     own = aircraft.own_autopilot
     with listening() as listener:

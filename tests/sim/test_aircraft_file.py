@@ -32,7 +32,7 @@ def test_the_next_aircraft_needs_no_code(tmp_path):
 
 def test_a_model_that_jsbsim_does_not_have_is_named_with_those_it_has(tmp_path):
     aircraft = load_aircraft(variant(tmp_path, 'model = "c172x" ', 'model = "c173x" '))
-    with pytest.raises(InputError, match=r"no model 'c173x'.*c172x") as error:
+    with pytest.raises(InputError, match=r"no model 'c173x'.*did you mean 'c172x'") as error:
         FixedWing(aircraft).reset(Pose(0.0, 0.0, 500.0, 1.0), 55.0, Conditions(), 0)
     assert "\n" not in str(error.value)
 
