@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Literal
 
@@ -48,16 +48,8 @@ class Case(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     seed: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Prepared:
-    """A trial, and what the user should know of how it came about: one line each."""
-
-    trial: Trial
-    notes: tuple[str, ...]
-
-
-def prepare(case: Case, folder: FilePath) -> Prepared:
-    """Read what `case` names, relative to `folder`, and put it together.
+def prepare(case: Case, folder: FilePath) -> Trial:
+    """Read what `case` names, relative to `folder`, and put it together; its notes tell how, one line each.
 
     Raises `InputError` with the place of a fault.
     """
@@ -79,7 +71,7 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
     if case.corners == "fly-by":
         path, rounded = _rounded(path, limits, speed, wind, corridor)
         notes += [f"{name}: {_corner_note(corner)}" for corner in rounded]
-    trial = Trial(
+    return Trial(
         name=case.name or path.name,
         path=path,
         vehicle=case.vehicle,
@@ -96,7 +88,6 @@ def prepare(case: Case, folder: FilePath) -> Prepared:
         seed=case.seed,
         notes=tuple(notes),
     )
-    return Prepared(trial, tuple(notes))
 
 
 def _speed(case: Case, planned: float | None, limits: Limits) -> tuple[float, Sequence[str]]:

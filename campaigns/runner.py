@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from campaigns.campaign import Campaign
-from campaigns.case import Case, Prepared, prepare
+from campaigns.case import Case, prepare
 from planners.errors import TrackworthyError
 from tracking.outcome import Outcome
-from tracking.trial import run_trial
+from tracking.trial import Trial, run_trial
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,15 +21,15 @@ class Result:
     error: str = ""
 
 
-def prepare_cases(campaign: Campaign) -> tuple[Prepared, ...]:
+def prepare_cases(campaign: Campaign) -> tuple[Trial, ...]:
     """Every case made ready; raises `InputError` if one of them cannot be."""
     return tuple(prepare(case, campaign.folder) for case in campaign.cases)
 
 
-def run_cases(campaign: Campaign, prepared: tuple[Prepared, ...]) -> Iterator[Result]:
+def run_cases(campaign: Campaign, trials: tuple[Trial, ...]) -> Iterator[Result]:
     """Run every case in order."""
-    for case, ready in zip(campaign.cases, prepared, strict=True):
+    for case, trial in zip(campaign.cases, trials, strict=True):
         try:
-            yield Result(case, run_trial(ready.trial))
+            yield Result(case, run_trial(trial))
         except TrackworthyError as error:
             yield Result(case, None, str(error))

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from planners.kernel import Floats, kernel
+from planners.units import wrap_all
 
 
 def headings_and_bends(steps: Floats, s: Floats, tolerance: float) -> tuple[Floats, Floats, Floats, Floats]:
@@ -17,7 +18,7 @@ def headings_and_bends(steps: Floats, s: Floats, tolerance: float) -> tuple[Floa
     arc of width w that turns by d leaves its vertex by about w d / 8.
     """
     raw = np.arctan2(steps[:, 1], steps[:, 0])
-    inner = (np.diff(raw) + np.pi) % (2.0 * np.pi) - np.pi
+    inner = wrap_all(np.diff(raw))
     headings = raw[0] + np.concatenate([[0.0], np.cumsum(inner)])
     turns = np.concatenate([[0.0], inner, [0.0]])
     size = np.maximum(np.abs(turns), 1e-12)

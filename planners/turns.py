@@ -8,6 +8,7 @@ import numpy as np
 
 from planners.kernel import Bools, Floats, Ints
 from planners.path import Path
+from planners.units import wrap_all
 
 
 def available_radii(path: Path, corridor: float) -> tuple[Ints, Floats, Floats]:
@@ -23,7 +24,7 @@ def available_radii(path: Path, corridor: float) -> tuple[Ints, Floats, Floats]:
     steps = np.diff(xy, axis=0)
     legs = np.hypot(steps[:, 0], steps[:, 1])
     headings = np.arctan2(steps[:, 1], steps[:, 0])
-    turns = (np.diff(headings) + np.pi) % (2.0 * np.pi) - np.pi
+    turns = wrap_all(np.diff(headings))
     half = np.maximum(np.abs(turns), 1e-9) / 2
     before, after = legs[:-1], legs[1:]
     leg = np.where(_on_curve(path, kept, turns), (before + after) / 2, np.minimum(before, after))

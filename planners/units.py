@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 import re
 
+import numpy as np
+
 from planners.errors import InputError
+from planners.kernel import Floats
 
 STANDARD_GRAVITY = 9.80665  # [m/s^2], CGPM 1901: the "g" of load factors and of lateral limits
 METRES_PER_FOOT = 0.3048  # exact, international foot
@@ -26,6 +29,11 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\
 def wrap(angle: float) -> float:
     """Angle [rad] to [-pi, pi)."""
     return (angle + math.pi) % (2.0 * math.pi) - math.pi
+
+
+def wrap_all(angles: Floats) -> Floats:
+    """Angles (N,) [rad] to [-pi, pi)."""
+    return (angles + np.pi) % (2.0 * np.pi) - np.pi
 
 
 def split_quantity(text: str, place: str) -> tuple[float, str]:

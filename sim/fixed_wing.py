@@ -50,7 +50,7 @@ class FixedWing:
         self._frame, self._to_local = frame, transformer.transform
         self._samples = 0
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)
-        self._fdm, self._run, self._t = fdm, fdm.run, 0.0
+        self._run, self._t = fdm.run, 0.0
         names = (
             "position/long-gc-deg", "position/lat-geod-deg", "position/geod-alt-ft",
             "velocities/v-east-fps", "velocities/v-north-fps", "velocities/h-dot-fps", "velocities/vt-fps",
@@ -108,8 +108,8 @@ class FixedWing:
             on_wheels,
         ) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
-        if self._samples % NORTH_EVERY == 0:
-            self._north = true_north(self._frame, lat, lon)
+        if self._samples == NORTH_EVERY:
+            self._north, self._samples = true_north(self._frame, lat, lon), 0
         self._samples += 1
         ground_speed = math.hypot(east, north) * METRES_PER_FOOT
         # Unwrapped, so that a turn over the period is a difference

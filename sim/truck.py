@@ -73,7 +73,7 @@ class Truck:
         ahead = WHEELBASE / 2 * np.array([math.cos(pose.course), math.sin(pose.course)])
         self._plant = _Bicycle(None, np.array([pose.x, pose.y]) + ahead, pose.course, speed)
         self._t, self._z, self._steering = 0.0, pose.z, 0.0
-        return self._state(0.0, speed, False)
+        return self._state(0.0, False)
 
     def step(self, command: Command) -> State:
         """Steer towards the commanded curvature for one control period."""
@@ -95,7 +95,7 @@ class Truck:
             plant.action = {"steering": steering, "acceleration": acceleration}
             plant.step(dt)
         self._t, self._z = self._t + self.period, command.altitude
-        return self._state((self._steering - before) / self.period, command.speed, saturated)
+        return self._state((self._steering - before) / self.period, saturated)
 
     def _grip_limited(self) -> float:
         """The steering angle [rad] the tyres can turn into a curve; with more, the truck runs wide.
@@ -109,7 +109,7 @@ class Truck:
         most = math.atan(2.0 * (square - math.sqrt(square * square - grip * grip)) / grip)
         return max(-most, min(most, self._steering))
 
-    def _state(self, steering_rate: float, speed: float, saturated: bool) -> State:
+    def _state(self, steering_rate: float, saturated: bool) -> State:
         plant = self._plant
         heading = float(plant.heading)
         x = float(plant.position[0]) - WHEELBASE / 2 * math.cos(heading)

@@ -46,9 +46,10 @@ def follow(
     controller.reset(limits, vehicle.guidance_period)
     integral = Integral(limits, limits.corridor, vehicle.guidance_period)
 
-    window = max(2.0 * limits.turn_radius(speed + conditions.wind.speed), 4.0 * limits.corridor)
+    radius = limits.turn_radius(speed + conditions.wind.speed)
+    window = max(2.0 * radius, 4.0 * limits.corridor)
     budget = 2.0 * _time_needed(path, speed, conditions) + 60.0
-    circle = 4.0 * math.pi * limits.turn_radius(speed + conditions.wind.speed) / speed
+    circle = 4.0 * math.pi * radius / speed
     at = path.project(state.x, state.y, s_to=0.0)
     furthest, gained = at.s, 0.0
     rows = array("d")

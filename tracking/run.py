@@ -12,7 +12,7 @@ from tracking.metric import Where
 from tracking.track import Track
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Run:
     """One run: `corridor` [m] is the half-width, `max_range` [m] the scenario's limit if it has one."""
 

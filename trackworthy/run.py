@@ -36,11 +36,11 @@ def main(args: argparse.Namespace) -> int:
     campaign = load_campaign(args.campaign, args.case)
     name = "-".join([slug(campaign.name), *map(slug, args.case)])
     folder = Path(args.output or Path("runs") / name)
-    prepared = prepare_cases(campaign)
-    tell(dict.fromkeys(note for ready in prepared for note in ready.notes))
+    trials = prepare_cases(campaign)
+    tell(dict.fromkeys(note for trial in trials for note in trial.notes))
     folder.mkdir(parents=True, exist_ok=True)
     with chatter_to_stderr():
-        results = list(watched(run_cases(campaign, prepared), len(prepared)))
+        results = list(watched(run_cases(campaign, trials), len(trials)))
     _write(campaign, results, folder, args.campaign)
     return _answer(results, folder)
 

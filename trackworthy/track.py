@@ -50,15 +50,15 @@ def main(args: argparse.Namespace) -> int:
     from trackworthy.streams import chatter_to_stderr, protect, tell
 
     with chatter_to_stderr():
-        prepared = prepare(_case(args), Path())
-        tell(prepared.notes)
+        trial = prepare(_case(args), Path())
+        tell(trial.notes)
         picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
         _check_picture(picture)
         for file in args.export:
-            check(prepared.trial.path, file)
+            check(trial.path, file)
         for file in (picture, *args.export):
             protect(file, *filter(None, (args.path, args.vehicle, args.scenario)))
-        outcome = run_trial(prepared.trial)
+        outcome = run_trial(trial)
     save_track_figure(outcome, picture)
     for file in args.export:
         export(outcome, file)

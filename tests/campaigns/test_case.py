@@ -26,19 +26,19 @@ def mission(tmp_path, speed):
 
 def test_a_mission_sets_its_speed_where_the_vehicle_can_keep_it(tmp_path):
     ready = prepare(Case(mission(tmp_path, 50), "c172x"), tmp_path)
-    assert ready.trial.speed == 50.0
+    assert ready.speed == 50.0
     slow = prepare(Case(mission(tmp_path, 12), "c172x"), tmp_path)
-    assert slow.trial.speed == 55.0
+    assert slow.speed == 55.0
     assert any("12 m/s, which is not a speed of this vehicle" in note for note in slow.notes)
 
 
 def test_the_users_speed_counts_before_the_missions(tmp_path):
-    trial = prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path).trial
+    trial = prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path)
     assert trial.speed == pytest.approx(51.444, abs=1e-3)
 
 
 def test_an_altitude_replaces_the_paths_heights(tmp_path):
-    trial = prepare(Case(mission(tmp_path, 50), "c172x", altitude="1.2km"), tmp_path).trial
+    trial = prepare(Case(mission(tmp_path, 50), "c172x", altitude="1.2km"), tmp_path)
     assert trial.path.z is None
     assert trial.altitude == 1200.0
 
@@ -56,7 +56,7 @@ def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
     field = Frame(47.0, 8.0)
     (lat, lon), *_ = field.to_geographic(Path([[200.0, 300.0], [900.0, 300.0]]).xy).tolist()
     files.write(Path([[0.0, 0.0], [700.0, 0.0]], frame=Frame(lat, lon)), tmp_path / "path.csv")
-    trial = prepare(Case("path.csv", "c172x", scenario="field.toml"), tmp_path).trial
+    trial = prepare(Case("path.csv", "c172x", scenario="field.toml"), tmp_path)
     assert trial.path.frame == field
     assert trial.path.points[0] == pytest.approx([200.0, 300.0], abs=1e-3)
     assert trial.obstacles is not None
@@ -69,4 +69,4 @@ def test_fly_by_reports_each_corner(tmp_path):
     notes = [note for note in ready.notes if "rounded" in note]
     assert len(notes) == 1
     assert "corner at 3.00 km, 90 deg: rounded with a radius of 370 m, cut by 153.3 m" in notes[0]
-    assert len(ready.trial.path.points) > 10
+    assert len(ready.path.points) > 10

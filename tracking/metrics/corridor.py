@@ -47,7 +47,7 @@ def _among(s: Floats, samples: Floats) -> Bools:
     return np.asarray(near)
 
 
-def excursions(outside: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> float:
+def excursions(outside: Bools) -> float:
     """How many separate runs of True there are."""
     return float(np.count_nonzero(outside[1:] & ~outside[:-1]) + (len(outside) > 0 and bool(outside[0])))
 

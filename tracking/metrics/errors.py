@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -39,8 +40,9 @@ class Errors:
         return np.asarray(left_out & (np.abs(self.e) > corridor))
 
 
+@lru_cache(maxsize=1)
 def cross_track_errors(run: Run) -> Errors:
-    """The track's errors, and those of the path that it left out."""
+    """The track's errors, and those of the path that it left out; three metrics ask for the same run's."""
     track = run.track
     e, s, t = track["cross_track"], track["s"], track["t"]
     weight = centred_weights(track.distance)
@@ -76,7 +78,7 @@ def _left_out(run: Run, s_from: float, s_to: float, sample: int) -> tuple[Floats
     count = max(LEAST, int(np.ceil(s_to - s_from)))
     edges = np.linspace(s_from, s_to, count + 1)
     middles = (edges[1:] + edges[:-1]) / 2
-    xy = np.array([run.path.point_at(float(s)) for s in middles])
+    xy = np.column_stack([np.interp(middles, run.path.s, column) for column in run.path.xy.T])
     later = np.column_stack([run.track["x"], run.track["y"]])[sample:]
     return middles, np.diff(edges), cKDTree(later).query(xy)[0]
 

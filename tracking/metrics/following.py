@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from planners.kernel import Floats
+from planners.units import wrap_all
 from tracking.metric import Metric
 from tracking.run import Run
 
@@ -17,7 +18,7 @@ def angles(run: Run) -> list[Metric]:
     return [
         metric
         for name in ("heading", "course")
-        for metric in _rms_and_max(f"{name}_error", _wrapped(track[name] - track["path_heading"]), "rad", run)
+        for metric in _rms_and_max(f"{name}_error", wrap_all(track[name] - track["path_heading"]), "rad", run)
     ]
 
 
@@ -42,7 +43,3 @@ def _rms_and_max(name: str, error: Floats, unit: str, run: Run) -> list[Metric]:
         Metric(f"{name}_rms", float(np.sqrt(np.mean(finite**2))), unit),
         Metric(f"{name}_max", float(finite[worst]), unit, **run.where(worst)),
     ]
-
-
-def _wrapped(angle: Floats) -> Floats:
-    return (angle + np.pi) % (2.0 * np.pi) - np.pi
