@@ -10,7 +10,7 @@ import msgspec
 
 from planners.footprint import Footprint
 from planners.frame import Frame
-from sim.wind import Wind
+from sim.wind import Gust, Wind
 
 NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
 
@@ -64,10 +64,19 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Conditions:
-    """The world a trial runs in: steady `wind`, and the `frame` that places the local coordinates on the planet."""
+    """The world a trial runs in: steady `wind`, and the `frame` that places the local coordinates on the planet.
+
+    `turbulence` is the severity of Dryden turbulence as the number of MIL-F-8785C's probability-of-exceedance curve (3
+    light, 4 moderate, 6 severe), 0 for none. `mass_factor` multiplies an aircraft's mass, `friction` is the tyres'
+    coefficient on this road, None the vehicle's own.
+    """
 
     wind: Wind = field(default_factory=Wind)
     frame: Frame = field(default_factory=lambda: Frame(0.0, 0.0))
+    turbulence: float = 0.0
+    gust: Gust | None = None
+    mass_factor: float = 1.0
+    friction: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Steady wind, and the triangle it makes with air and ground velocity."""
+"""Steady wind, a gust on top of it, and the triangle that wind makes with air and ground velocity."""
 
 from __future__ import annotations
 
@@ -33,6 +33,20 @@ class Wind:
     def from_deg(self) -> float:
         """Direction it blows from [deg true, 0 to 360)."""
         return math.degrees(math.atan2(-self.east, -self.north)) % 360.0
+
+
+@dataclass(frozen=True, slots=True)
+class Gust:
+    """A 1-cosine gust on top of the wind (FAR 25.341, MIL-F-8785C 3.7.1.3): V/2 (1 - cos(2 pi (t - start) / duration)).
+
+    `east`, `north` and `up` [m/s] are the components of its peak V, where it blows towards; `start` and `duration` [s].
+    """
+
+    east: float
+    north: float
+    up: float
+    start: float
+    duration: float
 
 
 def parse_wind(text: str, place: str = "wind") -> Wind:
