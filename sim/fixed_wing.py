@@ -10,6 +10,8 @@ from planners.frame import point_transform, true_north
 from planners.units import METRES_PER_FOOT, wrap
 from sim.aircraft_file import Aircraft
 from sim.autopilot import Autopilot
+from sim.ballast import scale_mass
+from sim.disturbance import gust_of, start_turbulence
 from sim.jsbsim_model import load_model, property_node, start_in_equilibrium
 from sim.vehicle import GROUND, NOT_A_NUMBER, STALL, Command, Conditions, Pose, State
 
@@ -38,15 +40,21 @@ class FixedWing:
         self._aircraft = aircraft
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
-        """Start in equilibrium in the wind, on the course of `pose`, at the true airspeed `speed` [m/s]."""
+        """Start in equilibrium in the wind, on the course of `pose`, at the true airspeed `speed` [m/s].
+
+        `seed` decides the turbulence, which grows from calm in the first seconds.
+        """
         self._check(speed, pose)
         frame = conditions.frame
         transformer = point_transform(frame)
         lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
         fdm = load_model(self._aircraft, STEP)
+        scale_mass(fdm, conditions.mass_factor)
         self._north = true_north(frame, lat, lon)
         convergence = self._north - math.pi / 2
         start_in_equilibrium(fdm, replace(pose, course=pose.course - convergence), lat, lon, speed, conditions.wind)
+        start_turbulence(fdm, conditions.turbulence, seed)
+        self._blow = gust_of(fdm, conditions.gust)
         self._frame, self._to_local = frame, transformer.transform
         self._samples = 0
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)
@@ -77,8 +85,10 @@ class FixedWing:
             -bank, state.channels[0], state.airspeed, command.speed - state.airspeed, state.climb_rate,
             command.altitude - state.z, self._climbable(command.gradient) * state.ground_speed,
         )  # fmt: skip
-        run = self._run
-        for _ in range(STEPS):
+        run, blow = self._run, self._blow
+        for i in range(1, STEPS + 1):
+            if blow is not None:
+                blow(self._t + i * STEP)
             run()
         self._t += self.period
         self._state = self._observe(bank != wanted)

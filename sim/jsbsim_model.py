@@ -16,6 +16,7 @@ from planners.errors import InputError, TrackworthyError
 from planners.typed_toml import suggestion
 from planners.units import METRES_PER_FOOT
 from sim.aircraft_file import Aircraft
+from sim.ballast import add_ballast
 from sim.jsbsim_log import listening
 from sim.vehicle import Pose
 from sim.wind import Wind, ground_speed_on_course, heading_for_course
@@ -24,6 +25,7 @@ ATTITUDE_HOLD = Path(__file__).parent / "attitude_hold.xml"
 # Shares of the wind to trim in. JSBSim's trim takes the wind with the wrong sign, which does not matter unless it then
 # seems to come exactly from the side: a wind 2 % off will do, and the real one follows with a step below 1 m/s.
 WIND_TRIED = (1.0, 0.98, 1.02)
+KILOGRAMS_PER_POUND = 0.45359237
 FULL_TRIM = 1  # JSBSim's TrimMode.FULL: forces and moments about all axes
 
 
@@ -58,7 +60,7 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
 
 @lru_cache
 def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...]) -> Path:
-    """An aircraft folder, for this process, whose aircraft, that of `file`, has our attitude loops as its autopilot.
+    """An aircraft folder, for this process, whose aircraft, that of `file`, has our attitude loops and our ballast.
 
     The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight
     controls read from them, which stay 0 as they are when it is switched off.
@@ -77,6 +79,7 @@ def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[st
     for name in outputs:
         ET.SubElement(off, "property", value="0").text = name
     ET.SubElement(root, "system", file=ATTITUDE_HOLD.stem)
+    add_ballast(root)
 
     folder = Path(tempfile.mkdtemp(prefix="trackworthy-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
@@ -116,10 +119,11 @@ def start_in_equilibrium(
                 fdm["atmosphere/wind-north-fps"] = wind.north / METRES_PER_FOOT
                 fdm["atmosphere/wind-east-fps"] = wind.east / METRES_PER_FOOT
                 return
+    kilograms = KILOGRAMS_PER_POUND * fdm["inertia/weight-lbs"]
     said = f" ({listener.errors()})" if listener.errors() else ""
     raise InputError(
-        "speed or altitude",
-        f"JSBSim finds no equilibrium at {airspeed:.4g} m/s and {pose.z:.0f} m{said}",
+        "speed, altitude or mass",
+        f"JSBSim finds no equilibrium for {kilograms:.0f} kg at {airspeed:.4g} m/s and {pose.z:.0f} m{said}",
         "choose others",
     )
 

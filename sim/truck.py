@@ -41,13 +41,12 @@ class Truck:
     period = 0.05
     channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 
-    def __init__(self, steering_hz: float = 20.0, friction: float = FRICTION) -> None:
+    def __init__(self, steering_hz: float = 20.0) -> None:
         held_periods = 1.0 / (steering_hz * self.period) if steering_hz > 0.0 else 0.0
         if held_periods < 1.0 or abs(held_periods - round(held_periods)) > 1e-6:
             remedy = f"choose {1 / self.period:g} divided by a whole number, as 2"
             raise InputError("steering-hz", f"{steering_hz:g} is not a rate to steer at", remedy)
         self.guidance_period = round(held_periods) * self.period
-        self._grip = friction * STANDARD_GRAVITY
         self.limits = Limits(
             kind="ground",
             speed=45.0 / 3.6,
@@ -63,13 +62,17 @@ class Truck:
         )
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
-        """Start at `pose`, wheels straight, at `speed` [m/s]; the wind does not move a truck."""
+        """Start at `pose`, wheels straight, at `speed` [m/s]; only the friction of `conditions` is felt by a truck."""
         if not self.limits.speed_min <= speed <= self.limits.speed_max:
             raise InputError(
                 "speed",
                 f"the truck cannot drive at {speed:.4g} m/s",
                 f"choose {self.limits.speed_min:g} to {self.limits.speed_max:g} m/s",
             )
+        friction = FRICTION if conditions.friction is None else conditions.friction
+        if not 0.0 < friction < math.inf:
+            raise InputError("friction", f"{friction:g} is no coefficient of friction", "choose one above 0, as 0.8")
+        self._grip = friction * STANDARD_GRAVITY
         ahead = WHEELBASE / 2 * np.array([math.cos(pose.course), math.sin(pose.course)])
         self._plant = _Bicycle(None, np.array([pose.x, pose.y]) + ahead, pose.course, speed)
         self._t, self._z, self._steering = 0.0, pose.z, 0.0

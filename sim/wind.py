@@ -48,6 +48,11 @@ class Gust:
     start: float
     duration: float
 
+    def share(self, t: float) -> float:
+        """Share of the peak at time `t` [s]; 0 before and after."""
+        phase = (t - self.start) / self.duration
+        return 0.5 * (1.0 - math.cos(2.0 * math.pi * phase)) if 0.0 < phase < 1.0 else 0.0
+
 
 def parse_wind(text: str, place: str = "wind") -> Wind:
     """Wind from `10@270` or `10m/s@270`: 10 m/s from the west."""

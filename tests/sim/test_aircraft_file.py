@@ -59,7 +59,7 @@ def test_what_jsbsim_dislikes_is_in_the_error_and_nowhere_else(tmp_path, capfd):
 
 def test_a_speed_at_which_it_does_not_fly_level_is_refused(tmp_path, capfd):
     fast = load_aircraft(variant(tmp_path, "speed_max = 62.0", "speed_max = 300.0"))
-    with pytest.raises(InputError, match=r"no equilibrium at 90 m/s and 1000 m \(.*trimmable"):
+    with pytest.raises(InputError, match=r"no equilibrium for 1125 kg at 90 m/s and 1000 m \(.*trimmable"):
         FixedWing(fast).reset(Pose(0.0, 0.0, 1000.0, 1.0), 90.0, Conditions(), 0)
     assert capfd.readouterr() == ("", "")
 

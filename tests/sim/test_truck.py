@@ -7,12 +7,13 @@ from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 from planners.errors import InputError
 from sim.truck import STEERING_LIMIT, STEERING_RATE, WHEELBASE, Truck
 from sim.vehicle import Command, Conditions, Pose
+from sim.wind import Gust, Wind
 
 G = 9.80665
 
 
-def drive(truck, speed, curvature, seconds):
-    truck.reset(Pose(0.0, 0.0, 0.0, 0.0), speed, Conditions(), 0)
+def drive(truck, speed, curvature, seconds, conditions=None):
+    truck.reset(Pose(0.0, 0.0, 0.0, 0.0), speed, conditions or Conditions(), 0)
     return [truck.step(Command(curvature, speed)) for _ in range(round(seconds / truck.period))]
 
 
@@ -61,13 +62,13 @@ def test_steering_lags_and_keeps_its_rate_and_its_limit():
     assert after_a_lag == pytest.approx(1.0 - math.exp(-1.0), rel=1e-6)
 
 
-@pytest.mark.parametrize("friction", [0.3, 0.8])
-def test_beyond_its_grip_it_runs_wide(friction):
+@pytest.mark.parametrize(("friction", "grip"), [(0.3, 0.3), (1.0, 1.0), (None, 0.8)])
+def test_beyond_its_grip_it_runs_wide(friction, grip):
     speed = 60.0 / 3.6
-    states = drive(Truck(friction=friction), speed, 1.2 * G / speed**2, 10.0)
+    states = drive(Truck(), speed, 1.2 * G / speed**2, 10.0, Conditions(friction=friction))
     lateral = np.array([state.channels[2] for state in states])
     grip_used = np.array([state.channels[3] for state in states])
-    assert lateral.max() == pytest.approx(friction * G, rel=1e-3)
+    assert lateral.max() == pytest.approx(grip * G, rel=1e-3)
     assert grip_used.max() == pytest.approx(1.0, rel=1e-3)
     assert states[-1].saturated
 
@@ -104,3 +105,18 @@ def test_a_rate_it_cannot_steer_at_is_refused(rate):
 def test_a_speed_it_cannot_drive_is_refused(speed):
     with pytest.raises(InputError, match="truck cannot drive"):
         Truck().reset(Pose(0.0, 0.0, 0.0, 0.0), speed, Conditions(), 0)
+
+
+@pytest.mark.parametrize("friction", [0.0, -0.5, math.nan, math.inf])
+def test_what_is_no_friction_is_refused(friction):
+    with pytest.raises(InputError, match=r"friction: .* choose one above 0"):
+        Truck().reset(Pose(0.0, 0.0, 0.0, 0.0), 10.0, Conditions(friction=friction), 0)
+
+
+def test_friction_is_of_one_run_and_weather_and_mass_of_none():
+    truck, speed = Truck(), 60.0 / 3.6
+    own = drive(truck, speed, 0.05, 5.0)
+    ice = drive(truck, speed, 0.05, 5.0, Conditions(friction=0.1))
+    assert max(state.channels[2] for state in ice) < 0.11 * G
+    stormy = Conditions(Wind(20.0, 5.0), turbulence=6.0, gust=Gust(9.0, 0.0, 0.0, 1.0, 2.0), mass_factor=3.0)
+    assert drive(truck, speed, 0.05, 5.0, stormy) == own

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planners.errors import InputError
-from sim.wind import Wind, ground_speed_on_course, heading_for_course, parse_wind
+from sim.wind import Gust, Wind, ground_speed_on_course, heading_for_course, parse_wind
 
 
 def test_wind_from_the_west_blows_east():
@@ -33,3 +33,10 @@ def test_a_course_that_the_wind_does_not_allow_has_no_heading():
 def test_what_is_no_wind_is_refused(text):
     with pytest.raises(InputError, match=r"wind: .*speed@direction"):
         parse_wind(text)
+
+
+@given(st.floats(0.0, 100.0), st.floats(0.1, 50.0))
+def test_a_gust_rises_and_falls_by_half_a_cosine_each(start, duration):
+    gust = Gust(10.0, 0.0, 0.0, start, duration)
+    quarters = [gust.share(start + part * duration) for part in (-0.5, 0.0, 0.25, 0.5, 0.75, 1.0, 1.5)]
+    assert quarters == pytest.approx([0.0, 0.0, 0.5, 1.0, 0.5, 0.0, 0.0], abs=1e-9)
