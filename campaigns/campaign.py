@@ -3,49 +3,38 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
 
 from campaigns.case import Case
+from campaigns.limits import Limit, check_names
 from planners.errors import InputError
-from planners.typed_toml import read_toml, suggestion
-from tracking.verdict import TRACKWORTHY, Expectation
+from planners.typed_toml import convert, read_toml, suggestion
 
 CAMPAIGNS_FOLDER = Path(__file__).parent
 BUILT_IN_CAMPAIGNS = ("quickstart",)
+WHOLE_LISTS = ("require",)  # keys whose own value is a list
 
-Quantity = str | float
-
-
-class Block(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One `[[case]]` of the file; `vehicle`, `controller`, `speed` and `wind` may be lists."""
-
-    path: str
-    vehicle: str | list[str]
-    name: str = ""
-    controller: str | list[str] = "lqr"
-    speed: Quantity | list[Quantity] | None = None
-    altitude: Quantity | None = None
-    corridor: Quantity | None = None
-    wind: str | list[str] | None = None
-    scenario: str | None = None
-    corners: Literal["as-drawn", "fly-by"] = "as-drawn"
-    steering_hz: float = 20.0
-    require: tuple[str, ...] = ()
-    expect: Expectation = TRACKWORTHY
+KeepTracks = Literal["all", "failures", "worst", "none"]
 
 
 class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The file: a `name` for the folder of its results, a `title` for its report, a `seed`, and the cases."""
+    """The file: a `name` for the folder of its results, a `title` for its report, a `seed`, and the cases.
+
+    `timeout` [s] of wall time is what one trial may take; `check` replaces the gate's default limits by metric.
+    """
 
     name: str
-    case: list[Block]
+    case: list[dict[str, Any]]
     title: str = ""
     seed: int = 0
+    keep_tracks: KeepTracks = "worst"
+    timeout: Annotated[float, msgspec.Meta(gt=0.0)] = 300.0
+    check: dict[str, Limit] = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +45,16 @@ class Campaign:
     title: str
     cases: tuple[Case, ...]
     folder: Path
+    file: str
+    seed: int = 0
+    keep_tracks: KeepTracks = "worst"
+    timeout: float = 300.0
+    check: dict[str, Limit] = field(default_factory=dict)
+
+    @property
+    def trials(self) -> int:
+        """How many trials there are in all."""
+        return sum(case.trials for case in self.cases)
 
 
 def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
@@ -69,7 +68,9 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         known = ", ".join(BUILT_IN_CAMPAIGNS)
         raise InputError("campaign", f"there is no campaign {name_or_file!r}", f"choose {known}, or a TOML file")
     content = read_toml(file, CampaignFile)
-    cases = tuple(case for block in content.case for case in _cases(block, content.seed))
+    check_names(content.check, f"{file}: check")
+    blocks = enumerate(content.case)
+    cases = tuple(case for i, block in blocks for case in expanded(block, f"{file}: case[{i}]"))
     if not cases:
         raise InputError(str(file), "it has no cases", "add a [[case]] with path and vehicle")
     names = [case.name for case in cases]
@@ -78,17 +79,40 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
     if unknown := next((name for name in only if name not in names), None):
         raise InputError(str(file), f"it has no case {unknown!r}", suggestion(unknown, names))
     chosen = tuple(case for case in cases if not only or case.name in only)
-    return Campaign(content.name, content.title or content.name, chosen, file.parent)
+    return Campaign(
+        content.name, content.title or content.name, chosen, file.parent, name_or_file, content.seed,
+        content.keep_tracks, content.timeout, content.check,
+    )  # fmt: skip
 
 
-def _cases(block: Block, seed: int) -> list[Case]:
-    """Every combination of the block's lists, each with a name of its own."""
-    settings = msgspec.structs.asdict(block)
-    lists = {key: value for key, value in settings.items() if isinstance(value, list)}
-    stem = block.name or Path(block.path).stem
+def expanded(block: dict[str, Any], place: str) -> list[Case]:
+    """Every combination of the lists in a `[[case]]` and in its conditions, each with a name of its own."""
+    block = dict(block)
+    conditions = block.pop("conditions", {})
+    lists: dict[tuple[str, ...], list[Any]] = {
+        (key,): value for key, value in block.items() if isinstance(value, list) and key not in WHOLE_LISTS
+    }
+    if isinstance(conditions, dict):
+        lists |= {("conditions", key): value for key, value in conditions.items() if isinstance(value, list)}
     cases = []
-    for values in itertools.product(*lists.values()):
-        chosen = dict(zip(lists, values, strict=True))
-        name = " ".join([stem, *(value if isinstance(value, str) else f"{value:g}" for value in values)])
-        cases.append(Case(**{**settings, **chosen, "name": name, "seed": seed}))
+    for numbered in itertools.product(*(enumerate(values, start=1) for values in lists.values())):
+        one: dict[str, Any] = {**block}
+        if conditions != {}:
+            one["conditions"] = dict(conditions) if isinstance(conditions, dict) else conditions
+        for keys, (_, value) in zip(lists, numbered, strict=True):
+            (one["conditions"] if len(keys) > 1 else one)[keys[-1]] = value
+        case = convert(one, Case, place)
+        words = _words(list(zip(lists, numbered, strict=True)))
+        stem = case.name or Path(case.path or case.scenario or "").stem
+        cases.append(msgspec.structs.replace(case, name=" ".join([stem, *words])))
     return cases
+
+
+def _words(chosen: list[tuple[tuple[str, ...], tuple[int, Any]]]) -> Iterator[str]:
+    """What tells this combination from the others: its values, with the key where they do not speak for themselves."""
+    for keys, (number, value) in chosen:
+        if isinstance(value, str):
+            word = Path(value).stem if keys == ("path",) else value
+        else:
+            word = f"{value:g}" if isinstance(value, (int, float)) else f"{number}"
+        yield word if isinstance(value, str) or keys == ("speed",) else f"{keys[-1]} {word}"

@@ -1,35 +1,135 @@
-"""Runs the cases of a campaign one after the other; a case that fails costs itself, not the campaign."""
+"""Runs what is missing: plans, then trials, then the worst trial of each case once more, to be kept and drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
+from pathlib import Path
 
+from campaigns import plans
+from campaigns.attempt import DIED, MACHINERY, Attempt, Job, attempt, replay
 from campaigns.campaign import Campaign
-from campaigns.case import Case, prepare
+from campaigns.lanes import Lanes
+from campaigns.plans import Plan
+from campaigns.ready import ReadyCase, seeds_of
+from campaigns.store import Store
+from campaigns.tracks import to_parquet
+from campaigns.workers import WorkerDiedError
+from planners.atomic_file import atomic
 from planners.errors import TrackworthyError
 from tracking.outcome import Outcome
-from tracking.trial import Trial, run_trial
+
+TRIES = 2  # of a trial whose process died: it may have been killed for something else
 
 
 @dataclass(frozen=True, slots=True)
-class Result:
-    """What became of a case: its `outcome`, or the `error` in its place."""
+class Task:
+    """A trial to be tried: its number, seed and key within a case."""
 
-    case: Case
-    outcome: Outcome | None
-    error: str = ""
+    ready: ReadyCase
+    trial: int
+    seed: int
+    key: str
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """What the file of its track says of where it comes from."""
+        return {"case": self.ready.case.name, "trial": str(self.trial), "seed": str(self.seed), "key": self.key}
 
 
-def prepare_cases(campaign: Campaign) -> tuple[Trial, ...]:
-    """Every case made ready; raises `InputError` if one of them cannot be."""
-    return tuple(prepare(case, campaign.folder) for case in campaign.cases)
+def plan_all(cases: Sequence[ReadyCase], folder: Path, lanes: Lanes) -> tuple[ReadyCase, ...]:
+    """The cases with their paths, computed by planners where they are not in `folder` yet."""
 
+    def send(executor: Executor, plan: Plan) -> Future[plans.Computed]:
+        return executor.submit(plans.compute, plan)
 
-def run_cases(campaign: Campaign, trials: tuple[Trial, ...]) -> Iterator[Result]:
-    """Run every case in order."""
-    for case, trial in zip(campaign.cases, trials, strict=True):
+    missing = plans.outstanding([ready.plan for ready in cases if ready.plan], folder)
+    for plan, future in lanes.each(missing, send):
         try:
-            yield Result(case, run_trial(trial))
+            computed = future.result()
         except TrackworthyError as error:
-            yield Result(case, None, str(error))
+            computed = plans.Computed(None, f"the planner could not be run: {error}")
+        plans.keep(plan, folder, computed)
+    return tuple(ready.with_path_of(folder) for ready in cases)
+
+
+def outstanding(campaign: Campaign, cases: Sequence[ReadyCase], store: Store) -> list[Task]:
+    """The trials without a result; those that ended in an error are among them."""
+    done = store.finished()
+    every = (task for ready in cases for task in tasks_of(campaign, ready))
+    return [task for task in every if task.key not in done]
+
+
+def tasks_of(campaign: Campaign, ready: ReadyCase) -> Iterator[Task]:
+    """Every trial of a case."""
+    for trial, seed in enumerate(seeds_of(campaign, ready.case), start=1):
+        yield Task(ready, trial, seed, ready.key(trial, seed))
+
+
+def run_trials(
+    campaign: Campaign, tasks: Sequence[Task], store: Store, folder: Path, lanes: Lanes
+) -> Iterator[tuple[Task, Attempt]]:
+    """Try every task, store what becomes of it, and pass it on."""
+    send = _Sender(campaign.keep_tracks)
+    waiting = list(tasks)
+    for tries in range(1, TRIES + 1):
+        again = []
+        for task, future in lanes.each(waiting, send):
+            result = _result(task, future)
+            if result.kind == DIED and tries < TRIES:
+                again.append(task)
+                continue
+            if result.track is not None:
+                keep_track(folder, task, result.track)
+            store.add(task.key, task.ready.case.name, task.trial, result)
+            yield task, result
+        waiting = again
+
+
+class _Sender:
+    """Sends tasks to workers; a case is packed once for all its trials."""
+
+    def __init__(self, keep: str) -> None:
+        self._keep = keep
+        self._packed: tuple[int, Job] | None = None
+
+    def __call__(self, executor: Executor, task: Task) -> Future[Attempt]:
+        ready = task.ready
+        if ready.error:
+            failed: Future[Attempt] = Future()
+            failed.set_result(Attempt(task.seed, error=ready.error, kind=MACHINERY))
+            return failed
+        if self._packed is None or self._packed[0] != ready.number:
+            self._packed = (ready.number, ready.job())
+        return executor.submit(attempt, self._packed[1], task.seed, self._keep, task.labels)
+
+
+def _result(task: Task, future: Future[Attempt]) -> Attempt:
+    try:
+        return future.result()
+    except WorkerDiedError as error:
+        return Attempt(task.seed, error=str(error), kind=DIED)
+    except TrackworthyError as error:
+        return Attempt(task.seed, error=str(error), kind=MACHINERY)
+
+
+def replay_each(tasks: Sequence[Task], lanes: Lanes) -> Iterator[tuple[Task, Outcome | None]]:
+    """The whole outcome of every task, as they finish; None for one that fails this time."""
+
+    def send(executor: Executor, task: Task) -> Future[Outcome]:
+        return executor.submit(replay, task.ready.job(), task.seed)
+
+    for task, future in lanes.each(tasks, send):
+        try:
+            yield task, future.result()
+        except TrackworthyError:
+            yield task, None
+
+
+def keep_track(folder: Path, task: Task, track: bytes | Outcome) -> None:
+    """Store a track in the results `folder`, as the Parquet file it is or is made."""
+    content = track if isinstance(track, bytes) else to_parquet(track.track, task.labels)
+    (folder / "tracks").mkdir(exist_ok=True)
+    with atomic(folder / "tracks" / f"{task.key[:16]}.parquet") as temporary:
+        temporary.write_bytes(content)

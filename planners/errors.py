@@ -18,4 +18,8 @@ class InputError(TrackworthyError):
     exit_code = 2
 
     def __init__(self, place: str, what: str, remedy: str = "") -> None:
-        super().__init__(": ".join(part for part in (place, what) if part) + (f"; {remedy}" if remedy else ""))
+        super().__init__(place, what, remedy)  # as they are, so that the error passes between processes
+
+    def __str__(self) -> str:
+        place, what, remedy = self.args
+        return ": ".join(part for part in (place, what) if part) + (f"; {remedy}" if remedy else "")

@@ -48,7 +48,7 @@ class OutsidePlanner(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     In the arguments of a command {scenario} and {output} become file names and {seed} a number. A name alone
     in braces is a placeholder; {{name}} stands for literal braces about a name. All other braces, and those
     after a dollar sign, stay as they are. `timeout` is in seconds. The suffix of `output` says in which format the
-    command writes its path.
+    command writes its path. It runs in `folder`, relative to that of the campaign.
 
     Raises `PlannerKeysError` for keys that describe no planner.
     """
@@ -57,6 +57,7 @@ class OutsidePlanner(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     python: str | None = None
     timeout: float = 60.0
     output: str = "path.csv"
+    folder: str = ""
 
     def __post_init__(self) -> None:
         if (self.command is None) == (self.python is None):
@@ -90,10 +91,11 @@ class Planned:
 
 
 def plan_outside(planner: OutsidePlanner, scenario: Scenario, seed: int, folder: FilePath) -> Planned:
-    """Run `planner` once in `folder`, that of the campaign file, where a python planner's module is found too.
+    """Run `planner` once in its folder within `folder`, that of the campaign file; a module is found there too.
 
     Raises `PlannerError` if it cannot be started, fails, takes too long, or writes no path in the scenario's frame.
     """
+    folder = folder / planner.folder
     with tempfile.TemporaryDirectory(prefix="trackworthy-", ignore_cleanup_errors=True) as temporary:
         task, output = FilePath(temporary, "scenario.json"), FilePath(temporary, "output", planner.output)
         output.parent.mkdir()

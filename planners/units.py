@@ -52,3 +52,10 @@ def parse_speed(text: str | float, place: str = "speed") -> float:
     if value <= 0.0:
         raise InputError(place, f"{text} is not a speed to travel at", "give a speed above 0")
     return value * _SPEED_UNITS[unit]
+
+
+def degrees(value: float, unit: str) -> tuple[float, str]:
+    """A value for machines to read: SI, but angles in degrees, with the unit's name."""
+    if unit.startswith("rad"):
+        return math.degrees(value), "deg" + unit.removeprefix("rad")
+    return value, unit

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from planners.atomic_file import atomic
 from reports.columns import exported, header
-from reports.files import atomic
 from tracking.outcome import Outcome
 
 

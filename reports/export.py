@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from planners.atomic_file import check_folder
 from planners.errors import InputError
 from planners.path import Path as PlannedPath
-from reports.files import check_folder
 from reports.geographic import frame_of
 from tracking.outcome import Outcome
 
@@ -57,7 +57,7 @@ def _geojson(outcome: Outcome, file: str | Path) -> None:
 
 def _tlog(outcome: Outcome, file: str | Path) -> None:
     from mavlink.tlog import write_tlog
-    from reports.files import atomic
+    from planners.atomic_file import atomic
 
     with atomic(file) as temporary, open(temporary, "wb") as stream:
         write_tlog(outcome, stream)

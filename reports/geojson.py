@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from planners.atomic_file import atomic
 from planners.kernel import Floats
-from reports.files import atomic
 from reports.geographic import flown, frame_of, planned
 from reports.json_result import Json, to_json
 from tracking.outcome import Outcome

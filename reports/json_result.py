@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from importlib.metadata import PackageNotFoundError, version
 
+from planners.units import degrees
 from reports.infeasible import turned
-from reports.quantity import degrees
 from reports.words import reason, sentence
 from tracking.feasibility import Feasibility, Slope, Stretch
 from tracking.metric import SCHEMA_VERSION, Margin, Metric

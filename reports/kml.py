@@ -8,8 +8,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
+from planners.atomic_file import atomic
 from planners.kernel import Floats
-from reports.files import atomic
 from reports.focus import focus
 from reports.geographic import flown, frame_of, planned
 from reports.words import sentence

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from reports.files import atomic
+from planners.atomic_file import atomic
 from reports.json_result import Json
 from reports.pdf_case import case_data
 from tracking.outcome import Outcome

@@ -3,26 +3,75 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
-from typing import TypeVar
+import time
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-T = TypeVar("T")
+from campaigns.attempt import Attempt
+from campaigns.runner import Task
+
+EVERY = 10.0  # [s] between plain lines
+
+Results = Iterable[tuple[Task, Attempt]]
 
 
-def watched(results: Iterable[T], total: int) -> Iterator[T]:
-    """Pass `results` on, showing how many of the `total` cases are done."""
+def watched(results: Results, tasks: Sequence[Task], total: int) -> Iterator[Attempt]:
+    """Pass the results of `tasks` on, showing how many of `total` trials are done, those of earlier runs included."""
+    tally = _Tally(tasks, total)
     console = Console(stderr=True)
-    if not console.is_terminal:
-        for done, result in enumerate(results, start=1):
-            print(f"{done}/{total} cases done", file=sys.stderr)
-            yield result
-        return
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    yield from _bar(results, tally, console) if console.is_terminal else _lines(results, tally)
+
+
+def _bar(results: Results, tally: _Tally, console: Console) -> Iterator[Attempt]:
+    news = TextColumn("{task.fields[news]}")
+    columns = (TextColumn("trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), news)
     with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("cases", total=total)
-        for result in results:
-            progress.advance(task)
+        bar = progress.add_task("trials", total=tally.total, completed=tally.done, news="")
+        for task, result in results:
+            tally.count(task, result)
+            progress.update(bar, advance=1, news=tally.news())
             yield result
+
+
+def _lines(results: Results, tally: _Tally) -> Iterator[Attempt]:
+    last = time.monotonic()
+    for task, result in results:
+        tally.count(task, result)
+        if time.monotonic() - last >= EVERY or tally.done == tally.total:
+            last = time.monotonic()
+            left = f"{tally.seconds_left():.0f} s left, " if tally.done < tally.total else ""
+            print(f"{tally.done}/{tally.total} trials, {left}{tally.news()}", file=sys.stderr)
+        yield result
+
+
+class _Tally:
+    """Counts trials, cases and what went wrong."""
+
+    def __init__(self, tasks: Sequence[Task], total: int) -> None:
+        self.total, self.done = total, total - len(tasks)
+        self._start, self._first = time.monotonic(), self.done
+        self._open = Counter(task.ready.number for task in tasks)
+        self._cases = len(self._open)
+        self._unexpected = self._errors = 0
+
+    def count(self, task: Task, result: Attempt) -> None:
+        self.done += 1
+        self._open[task.ready.number] -= 1
+        self._errors += bool(result.error)
+        self._unexpected += not result.error and not result.passed
+
+    def news(self) -> str:
+        finished = sum(left == 0 for left in self._open.values())
+        parts = [f"{finished}/{self._cases} cases", f"{self._rate():.3g} trials/s"]
+        parts += [f"{self._unexpected} not as expected"] if self._unexpected else []
+        parts += [f"{self._errors} errors"] if self._errors else []
+        return ", ".join(parts)
+
+    def seconds_left(self) -> float:
+        return (self.total - self.done) / self._rate()
+
+    def _rate(self) -> float:
+        return (self.done - self._first) / max(time.monotonic() - self._start, 1e-3)

@@ -69,10 +69,3 @@ def number(value: float, digits: int = 3) -> str:
     if "." in shown:
         shown = shown.rstrip("0").rstrip(".")
     return shown.removeprefix("-") if float(shown) == 0.0 else shown.replace("-", "−")
-
-
-def degrees(value: float, unit: str) -> tuple[float, str]:
-    """A value for machines to read: SI, but angles in degrees, with the unit's name."""
-    if unit.startswith("rad"):
-        return math.degrees(value), "deg" + unit.removeprefix("rad")
-    return value, unit

@@ -18,7 +18,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 from matplotlib.figure import Figure
 
-from reports.files import atomic
+from planners.atomic_file import atomic
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

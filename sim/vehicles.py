@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from planners.errors import InputError
+from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.vehicle import Vehicle
 
 ALL_VEHICLES = ("c172x", "truck")
@@ -13,24 +14,26 @@ ALL_VEHICLES = ("c172x", "truck")
 DEFAULT_STEERING_HZ = 20.0
 
 
-def make_vehicle(name: str, steering_hz: float = DEFAULT_STEERING_HZ) -> Vehicle:
-    """The vehicle of that name, or the aircraft of that TOML file; raises `InputError` for an unknown one.
+def make_vehicle(vehicle: str | Aircraft, steering_hz: float = DEFAULT_STEERING_HZ) -> Vehicle:
+    """The vehicle of that name, the aircraft of that TOML file, or the aircraft given; `InputError` for an unknown one.
 
     `steering_hz` [Hz] is how often guidance may steer a truck. Simulators are imported here, when they are needed.
     """
-    if name == "truck":
+    if vehicle == "truck":
         from sim.truck import Truck
 
         return Truck(steering_hz)
     if steering_hz != DEFAULT_STEERING_HZ:
+        name = vehicle.name if isinstance(vehicle, Aircraft) else vehicle
         raise InputError("steering-hz", f"{name} has no steering", "leave it out")
-    from sim.aircraft_file import ALL_AIRCRAFT, load_aircraft
     from sim.fixed_wing import FixedWing
 
-    if name in ALL_AIRCRAFT or Path(name).suffix == ".toml":
-        return FixedWing(load_aircraft(name))
+    if isinstance(vehicle, Aircraft):
+        return FixedWing(vehicle)
+    if vehicle in ALL_AIRCRAFT or Path(vehicle).suffix == ".toml":
+        return FixedWing(load_aircraft(vehicle))
     raise InputError(
         "vehicle",
-        f"there is no vehicle {name!r}",
+        f"there is no vehicle {vehicle!r}",
         f"choose one of {', '.join(ALL_VEHICLES)}, or an aircraft's TOML file",
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,10 +13,22 @@ from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State, Vehicle
 from sim.wind import ground_speed_on_course
 from tracking.controllers.controller import Controller
 from tracking.integral import Integral
+from tracking.sensors import PERFECT, Estimate, Sensors
 from tracking.track import GUIDANCE_COLUMNS, STATE_COLUMNS, Track
 
 SLOWEST = 0.1  # [m/s] below which a curvature means nothing, and the last command stands
 COMPLETED, OUT_OF_TIME, LOST = "completed", "time budget spent", "corridor lost for good"
+
+
+@dataclass(frozen=True, slots=True)
+class Offset:
+    """Where a run starts beside its path: `cross_track` [m] to the left of the start, `heading` [rad] to the left."""
+
+    cross_track: float = 0.0
+    heading: float = 0.0
+
+
+ON_PATH = Offset()
 
 
 def follow(
@@ -26,11 +39,14 @@ def follow(
     altitude: float,
     conditions: Conditions,
     seed: int = 0,
+    sensors: Sensors = PERFECT,
+    offset: Offset = ON_PATH,
 ) -> Track:
-    """Put `vehicle` on the start of `path` and let `controller` follow it; returns the track.
+    """Put `vehicle` on the start of `path`, or `offset` from it, and let `controller` follow it; returns the track.
 
     `speed` [m/s] and `altitude` [m] are commanded throughout; the altitude is the path's own where it has heights. How
-    the vehicle is guided depends on its own default corridor, never on the one it is judged by.
+    the vehicle is guided depends on its own default corridor, never on the one it is judged by. The controller sees
+    the state through `sensors`; the track, and when the run ends, is the truth.
 
     The run ends when the path is completed, when the vehicle reports a fault, when the time budget is spent (twice the
     path's time in this wind, and a minute), or when the corridor is lost for good: no way gained along the path during
@@ -41,8 +57,7 @@ def follow(
     held_periods = round(vehicle.guidance_period / period)
     height = path.height_at if path.z is not None else None
     start = path.height_at(0.0) if height else altitude
-    pose = Pose(float(path.xy[0, 0]), float(path.xy[0, 1]), start, float(path.headings[0]))
-    state = vehicle.reset(pose, speed, conditions, seed)
+    state = vehicle.reset(start_pose(path, offset, start), speed, conditions, seed)
     controller.reset(limits, vehicle.guidance_period)
     integral = Integral(limits, limits.corridor, vehicle.guidance_period)
 
@@ -52,12 +67,18 @@ def follow(
     circle = 4.0 * math.pi * radius / speed
     at = path.project(state.x, state.y, s_to=0.0)
     furthest, gained = at.s, 0.0
+    estimate = None if sensors.perfect else Estimate(sensors, period, seed)
+    behind = speed * sensors.latency + 5.0 * sensors.position  # [m] of path that an estimate may lag
     rows = array("d")
     curvature, ended, index = 0.0, "", 0
     while True:
-        if index % held_periods == 0 and state.ground_speed >= SLOWEST:
-            curvature = controller.curvature(state, path, at)
-            curvature += integral.curvature(at.cross_track, state.ground_speed, state.saturated)
+        seen, seen_at = state, at
+        if estimate:
+            seen = estimate.observe(state)
+            seen_at = path.project(seen.x, seen.y, furthest - behind, furthest + window)
+        if index % held_periods == 0 and seen.ground_speed >= SLOWEST:
+            curvature = controller.curvature(seen, path, seen_at)
+            curvature += integral.curvature(seen_at.cross_track, seen.ground_speed, seen.saturated)
         target = height(at.s) if height else altitude
         rows.extend(_row(state, at, curvature, speed, target))
         if ended := _ended(state, at, path, budget, gained, circle):
@@ -73,6 +94,13 @@ def follow(
             furthest, gained = at.s, state.t
     columns = (*STATE_COLUMNS, *vehicle.channels, *GUIDANCE_COLUMNS)
     return Track(columns, np.array(rows).reshape(-1, len(columns)), ended, path.frame)
+
+
+def start_pose(path: Path, offset: Offset, height: float) -> Pose:
+    """The pose `offset` from the start of `path`, at `height` [m]."""
+    (x, y), course = path.xy[0], float(path.headings[0])
+    left = offset.cross_track
+    return Pose(float(x) - left * math.sin(course), float(y) + left * math.cos(course), height, course + offset.heading)
 
 
 def _row(state: State, at: Projection, curvature: float, speed: float, altitude: float) -> tuple[float, ...]:

@@ -60,3 +60,11 @@ class Margin:
     def met(self) -> bool:
         """Whether the requirement is met; a metric that could not be measured meets nothing."""
         return self.value >= 0.0
+
+    @property
+    def relative(self) -> float:
+        """The margin as a share of its limit, by which margins of different units compare; -inf where it is NaN."""
+        if math.isnan(self.value):
+            return -math.inf
+        scale = abs(self.requirement.limit)
+        return self.value / scale if scale > 0.0 else self.value

@@ -12,16 +12,18 @@ from planners.clearance import clearance
 from planners.errors import InputError, TrackworthyError
 from planners.map import Map
 from planners.path import Path
+from sim.aircraft_file import Aircraft
 from sim.vehicle import Conditions, Vehicle
 from sim.vehicles import make_vehicle
 from sim.wind import Wind
 from tracking.controllers import make_controller
 from tracking.feasibility import assess
-from tracking.loop import follow
+from tracking.loop import ON_PATH, Offset, follow, start_pose
 from tracking.metrics import measure
 from tracking.outcome import Outcome
 from tracking.requirements import default_requirements, with_user_requirements
 from tracking.run import Run
+from tracking.sensors import PERFECT, Sensors
 from tracking.verdict import TRACKWORTHY, judge
 
 LONGEST_TIME = 24 * 3600.0  # [s] beyond any tank, and a million samples in memory
@@ -32,18 +34,20 @@ DEFAULT_ALTITUDE = 1000.0  # [m] of aircraft, where neither the path nor the use
 class Trial:
     """What to try. None stands for the vehicle's own default; `altitude` [m] counts where the path has no heights.
 
-    `speed` [m/s] is true airspeed or ground speed, `corridor` [m] the half-width, `require` requirements as the user
-    writes them, `expect` the expected verdict.
+    The frame of `conditions` is the path's, where it has one. `speed` [m/s] is true airspeed or ground speed,
+    `corridor` [m] the half-width, `require` requirements as the user writes them, `expect` the expected verdict.
     """
 
     name: str
     path: Path
-    vehicle: str
+    vehicle: str | Aircraft
     controller: str = "lqr"
     speed: float | None = None
     altitude: float | None = None
     corridor: float | None = None
-    wind: Wind = field(default_factory=Wind)
+    conditions: Conditions = field(default_factory=Conditions)
+    offset: Offset = ON_PATH
+    sensors: Sensors = PERFECT
     obstacles: Map | None = None
     max_range: float | None = None
     steering_hz: float = 20.0
@@ -63,12 +67,13 @@ def run_trial(trial: Trial) -> Outcome:
     corridor = limits.corridor if trial.corridor is None else trial.corridor
     if not (corridor > 0.0 and math.isfinite(corridor)):
         raise InputError("corridor", f"{corridor:g} m is not a half-width", "choose one above 0")
-    wind = Wind() if limits.kind == "ground" else trial.wind  # no wind moves a truck
-    conditions = Conditions(wind=wind)
+    conditions = trial.conditions
+    if limits.kind == "ground":  # no wind moves a truck
+        conditions = replace(conditions, wind=Wind(), turbulence=0.0, gust=None)
     if trial.path.frame is not None:
         conditions = replace(conditions, frame=trial.path.frame)
     _check_start(trial, vehicle)
-    feasibility = assess(trial.path, limits, speed, wind, corridor)
+    feasibility = assess(trial.path, limits, speed, conditions.wind, corridor)
     if trial.path.length > LONGEST_TIME * speed:
         raise InputError(
             trial.path.name,
@@ -77,7 +82,9 @@ def run_trial(trial: Trial) -> Outcome:
         )
     controller = make_controller(trial.controller)
     try:
-        track = follow(trial.path, vehicle, controller, speed, altitude, conditions, trial.seed)
+        track = follow(
+            trial.path, vehicle, controller, speed, altitude, conditions, trial.seed, trial.sensors, trial.offset
+        )
     except (ArithmeticError, RuntimeError) as error:
         raise TrackworthyError(f"{trial.name}: the simulator of {vehicle.name} failed: {error}") from error
     run = Run(trial.path, track, limits, speed, corridor, conditions, feasibility, trial.obstacles, trial.max_range)
@@ -95,9 +102,9 @@ def _check_start(trial: Trial, vehicle: Vehicle) -> None:
     """A run that starts inside an obstacle, or beyond the edge, says nothing about the path."""
     if trial.obstacles is None:
         return
-    x, y = trial.path.xy[0]
-    pose = np.array([[x, y, trial.path.headings[0]]])
-    clear = float(clearance(trial.obstacles, pose, vehicle.limits.footprint)[0])
+    pose = start_pose(trial.path, trial.offset, 0.0)
+    x, y = pose.x, pose.y
+    clear = float(clearance(trial.obstacles, np.array([[x, y, pose.course]]), vehicle.limits.footprint)[0])
     if clear < 0.0:
         raise InputError(
             trial.path.name,

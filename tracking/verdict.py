@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Literal
 
 from tracking.metric import Margin, Metric, Requirement
@@ -12,6 +13,7 @@ from tracking.metric import Margin, Metric, Requirement
 Expectation = Literal["trackworthy", "not-trackworthy"]
 TRACKWORTHY: Expectation = "trackworthy"
 NOT_TRACKWORTHY: Expectation = "not-trackworthy"
+RELATIVE = attrgetter("relative")
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,17 +40,14 @@ class Verdict:
         Where all are met, what cannot be better (the whole path, no incursion) is not close to anything, however small
         its margin.
         """
-        worst = min(self.margins, key=_relative, default=None)
+        worst = min(self.margins, key=RELATIVE, default=None)
         if worst is None or not worst.met:
             return worst
-        return min((margin for margin in self.margins if not _perfect(margin)), key=_relative, default=worst)
-
-
-def _relative(margin: Margin) -> float:
-    if math.isnan(margin.value):
-        return -math.inf
-    scale = abs(margin.requirement.limit)
-    return margin.value / scale if scale > 0.0 else margin.value
+        return min(
+            (margin for margin in self.margins if not _perfect(margin)),
+            key=lambda margin: margin.relative,
+            default=worst,
+        )
 
 
 def _perfect(margin: Margin) -> bool:

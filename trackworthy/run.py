@@ -3,80 +3,125 @@
 from __future__ import annotations
 
 import argparse
-import json
 import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from campaigns.campaign import Campaign
-    from campaigns.runner import Result
+    from campaigns.execute import Finished
+    from campaigns.ready import ReadyCase
 
 
 def add_parser(commands: Any) -> None:
     """Declare the command's arguments."""
     parser = commands.add_parser(
-        "run", help="run a campaign and write its report", description="Run a campaign and write its report."
+        "run", help="run or resume a campaign and write its report", description="Run or resume a campaign."
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
     add("campaign", nargs="?", default="quickstart", metavar="CAMPAIGN", help="a TOML file or a built-in name")
     add("--case", action="append", default=[], metavar="NAME", help="run this case only; repeatable")
+    add("--trial", type=int, metavar="N", help="replay just this trial of the one --case, and show it whole")
     add("-o", "--output", metavar="DIR", help="folder of the results (default: runs/ and the campaign's name)")
+    add("-j", "--jobs", type=int, metavar="N", help="processes to run trials in (default: one a processor)")
+    add("--dask", metavar="ADDRESS", help="run trials on this dask scheduler, as tcp://host:8786")
+    add("--fresh", action="store_true", help="start anew where DIR has results already")
+    add("--dry-run", action="store_true", help="show the cases and the number of trials, and stop")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Run every case, write the report, and answer with the exit code."""
+    """Run what is missing, write the report, and answer with the exit code."""
     from campaigns.campaign import load_campaign
-    from campaigns.runner import prepare_cases, run_cases
+    from campaigns.execute import Machines, default_jobs, execute
+    from campaigns.ready import make_ready
+    from planners.errors import InputError
     from reports.progress import watched
     from reports.slug import slug
-    from trackworthy.streams import chatter_to_stderr, tell
+    from trackworthy.streams import tell
 
+    if args.jobs is not None and args.jobs < 1:
+        raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
     campaign = load_campaign(args.campaign, args.case)
+    cases = make_ready(campaign)
+    tell(dict.fromkeys(note for ready in cases for note in ready.notes))
     name = "-".join([slug(campaign.name), *map(slug, args.case)])
     folder = Path(args.output or Path("runs") / name)
-    trials = prepare_cases(campaign)
-    tell(dict.fromkeys(note for trial in trials for note in trial.notes))
-    folder.mkdir(parents=True, exist_ok=True)
-    with chatter_to_stderr():
-        results = list(watched(run_cases(campaign, trials), len(trials)))
-    _write(campaign, results, folder, args.campaign)
-    return _answer(results, folder)
+    if args.dry_run:
+        return _show(campaign, cases)
+    if args.trial is not None:
+        from trackworthy.replay import replay_trial
+
+        return replay_trial(campaign, cases, args.trial, folder)
+    machines = Machines(args.jobs or default_jobs(), args.dask)
+    try:
+        finished = execute(campaign, cases, folder, machines, watched, args.fresh)
+    except KeyboardInterrupt:
+        tell([f"trackworthy: stopped; the same command goes on from what is stored in {folder}"])
+        return 130
+    _write(campaign, finished, folder, args.campaign)
+    return _answer(finished, folder)
 
 
-def _write(campaign: Campaign, results: list[Result], folder: Path, called: str) -> None:
-    """The report, its figures, and what they show as JSON."""
-    from reports.files import atomic
-    from reports.json_result import to_json
+def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
+    """Every case with its number of trials."""
+    width = max(len(ready.case.name) for ready in cases)
+    for ready in cases:
+        case, path = ready.case, ready.case.path or f"planned on {ready.case.scenario}"
+        what = f"{path}, {case.vehicle}, {case.controller}, {case.speed:.4g} m/s"
+        print(f"{case.name:<{width}}  {case.trials:>6}  {what}")
+    print(f"{len(cases)} cases, {campaign.trials} trials")
+    return 0
+
+
+def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
+    """The report and its figures: the worst trial of each case."""
+    import dataclasses
+
+    from reports.campaign_words import share_words, spread_words
     from reports.pdf import write_pdf
     from reports.slug import slug
     from reports.track_figure import save_track_figure
 
-    outcomes = [result.outcome for result in results if result.outcome]
-    errors = {result.case.name: result.error for result in results if not result.outcome}
     (folder / "figures").mkdir(exist_ok=True)
-    for number, outcome in enumerate(outcomes, start=1):
-        save_track_figure(outcome, folder / "figures" / f"{number}-{slug(outcome.name)}.png")
-    summary = {"cases": [to_json(outcome) for outcome in outcomes], "errors": errors}
-    with atomic(folder / "summary.json") as temporary:
-        temporary.write_text(json.dumps(summary, indent=2) + "\n")
-    commands = [shlex.join(["trackworthy", "run", called, "--case", outcome.name]) for outcome in outcomes]
+    outcomes, commands = [], []
+    for result in finished.results:
+        case = result.ready.case
+        outcome = finished.outcomes.get(case.name)
+        if outcome is None or result.worst is None:
+            continue
+        if case.trials > 1:
+            told = "; ".join([share_words(result), *spread_words(result)])
+            note = f"{told}. Shown is the worst, trial {result.worst.trial}"
+            outcome = dataclasses.replace(outcome, notes=(note, *outcome.notes))
+        save_track_figure(outcome, folder / "figures" / f"{result.ready.number}-{slug(case.name)}.png")
+        outcomes.append(outcome)
+        commands.append(replay_command(called, case.name, result.worst.trial))
+    errors = {
+        result.ready.case.name: result.statistics.first_error for result in finished.results if result.statistics.errors
+    }
     write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, errors=errors)
 
 
-def _answer(results: list[Result], folder: Path) -> int:
-    """A line a case, and the exit code."""
-    from planners.errors import TrackworthyError
-    from reports.words import sentence
+def replay_command(called: str, case: str, trial: int) -> str:
+    """The command that repeats one trial."""
+    return shlex.join(["trackworthy", "run", called, "--case", case, "--trial", str(trial)])
 
+
+def _answer(finished: Finished, folder: Path) -> int:
+    """A line a case, and the exit code."""
+    from campaigns.attempt import INPUT
+    from planners.errors import InputError, TrackworthyError
+    from reports.campaign_words import case_line
+
+    results = finished.results
     for result in results:
-        mark = "error" if not result.outcome else "pass " if result.outcome.verdict.passed else "FAIL "
-        print(f"{mark} {result.case.name}: {sentence(result.outcome) if result.outcome else result.error}")
-    passed = sum(result.outcome is not None and result.outcome.verdict.passed for result in results)
-    failed = sum(result.outcome is None for result in results)
-    failures = f", {failed} failed to run" if failed else ""
+        print(case_line(result, finished.outcomes.get(result.ready.case.name)))
+    passed = sum(result.passed for result in results)
+    failed = [result for result in results if result.statistics.errors]
+    failures = f", {len(failed)} failed to run" if failed else ""
     print(f"{passed} of {len(results)} cases as expected{failures}; report: {folder / 'report.pdf'}")
     if failed:
-        return TrackworthyError.exit_code
+        kinds = frozenset[str]().union(*(result.statistics.kinds for result in failed))
+        return InputError.exit_code if kinds == {INPUT} else TrackworthyError.exit_code
     return 0 if passed == len(results) else 1

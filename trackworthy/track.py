@@ -42,7 +42,8 @@ def add_parser(commands: Any) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Track, show, save, and answer with the exit code."""
-    from campaigns.case import prepare
+    from campaigns.inputs import Reader
+    from campaigns.prepare import assemble
     from reports.export import check, export
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
@@ -50,7 +51,8 @@ def main(args: argparse.Namespace) -> int:
     from trackworthy.streams import chatter_to_stderr, protect, tell
 
     with chatter_to_stderr():
-        trial = prepare(_case(args), Path())
+        case = _case(args)
+        trial = assemble(case, Reader(Path()).read(case))
         tell(trial.notes)
         picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
         _check_picture(picture)
@@ -75,8 +77,8 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _check_picture(file: str) -> None:
+    from planners.atomic_file import check_folder
     from planners.errors import InputError
-    from reports.files import check_folder
 
     if Path(file).suffix.lower() not in (".png", ".svg"):
         raise InputError(file, "a picture is a .png or a .svg file", "give it one of these suffixes")
@@ -85,6 +87,7 @@ def _check_picture(file: str) -> None:
 
 def _case(args: argparse.Namespace) -> Case:
     from campaigns.case import Case
+    from campaigns.conditions import ConditionKeys, WindKeys
 
     return Case(
         path=args.path,
@@ -93,7 +96,7 @@ def _case(args: argparse.Namespace) -> Case:
         speed=args.speed,
         altitude=args.altitude,
         corridor=args.corridor,
-        wind=args.wind,
+        conditions=ConditionKeys(wind=args.wind or WindKeys(0.0)),
         scenario=args.scenario,
         corners=args.corners,
         steering_hz=args.steering_hz,

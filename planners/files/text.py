@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import pathlib
 import stat
 
-from planners.errors import InputError, TrackworthyError
+from planners.atomic_file import atomic
+from planners.errors import InputError
 
 MAX_FILE_BYTES = 64 * 2**20  # a million points take about 40 MB as CSV with ten decimals
 MAX_POINTS = 1_000_000
 _OTHER_MARKS = 1000  # lines or arrays that are no points: header, comments, fence
-_DISK_FAILURES = {errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EROFS}
 
 
 def read_text(file: str | pathlib.Path) -> str:
@@ -42,18 +41,8 @@ def read_text(file: str | pathlib.Path) -> str:
 
 def write_text(file: str | pathlib.Path, text: str) -> None:
     """Write `text` to `file` by atomic rename, so that a reader never meets half of it."""
-    target = pathlib.Path(file)
-    try:
-        part = target.with_name(f".{target.name}.{os.getpid()}.part")
-        try:
-            part.write_text(text, encoding="utf-8", newline="\n")
-            os.replace(part, target)
-        finally:
-            part.unlink(missing_ok=True)
-    except (OSError, ValueError) as error:
-        failed = isinstance(error, OSError) and error.errno in _DISK_FAILURES
-        what = f"cannot be written: {_reason(error)}"
-        raise TrackworthyError(f"{file}: {what}") if failed else InputError(str(file), what) from None
+    with atomic(file) as part:
+        part.write_text(text, encoding="utf-8", newline="\n")
 
 
 def check_marks(count: int, place: str) -> None:

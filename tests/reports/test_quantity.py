@@ -2,7 +2,8 @@ import math
 
 import pytest
 
-from reports.quantity import degrees, number, pair, span, text, text_with_g
+from planners.units import degrees
+from reports.quantity import number, pair, span, text, text_with_g
 
 
 @pytest.mark.parametrize(

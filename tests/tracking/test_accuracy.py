@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sample_paths import aircraft_weave, road_weave
+from sim.vehicle import Conditions
 from sim.wind import Wind
 from tracking.controllers import ALL_CONTROLLERS
 from tracking.trial import Trial, run_trial
@@ -12,7 +13,9 @@ NAMES = [controller.name for controller in ALL_CONTROLLERS]
 
 
 def fly(controller, wind=None):
-    outcome = run_trial(Trial("weave", aircraft_weave(), "c172x", controller, speed=55.0, wind=wind or Wind()))
+    outcome = run_trial(
+        Trial("weave", aircraft_weave(), "c172x", controller, speed=55.0, conditions=Conditions(wind=wind or Wind()))
+    )
     assert outcome.track.ended == "completed"
     return outcome
 
@@ -74,7 +77,9 @@ def test_pure_pursuit_flies_off_beside_the_path_in_crosswind_without_the_integra
     def late_bias():
         from planners.path import Path
 
-        outcome = run_trial(Trial("line", Path([[0, 0], [12_000.0, 0]]), "c172x", "pure-pursuit", wind=crosswind))
+        outcome = run_trial(
+            Trial("line", Path([[0, 0], [12_000.0, 0]]), "c172x", "pure-pursuit", conditions=Conditions(wind=crosswind))
+        )
         return abs(float(np.mean(outcome.track["cross_track"][-200:])))
 
     with_integral = late_bias()

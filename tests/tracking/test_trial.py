@@ -61,7 +61,10 @@ def test_a_run_ends_only_where_the_path_does():
 
 def test_no_wind_moves_a_truck():
     path = Path(np.concatenate([[[-60.0, 0.0]], circle(25.0, 1.0, 0.5).points, [[0.5, 0.0], [80.0, 0.0]]]))
-    calm, windy = (run_trial(Trial("w", path, "truck", speed=10.0, wind=wind)) for wind in (Wind(), Wind(20.0, 0.0)))
+    calm, windy = (
+        run_trial(Trial("w", path, "truck", speed=10.0, conditions=Conditions(wind=wind)))
+        for wind in (Wind(), Wind(20.0, 0.0))
+    )
     assert calm.track.data.tobytes() == windy.track.data.tobytes()
     assert windy.conditions.wind.speed == 0.0
 
@@ -110,7 +113,9 @@ def test_an_aircrafts_body_is_half_a_span_wide():
 
 
 def test_heading_error_in_crosswind_is_the_crab():
-    outcome = run_trial(Trial("x", Path([[0.0, 0.0], [6000.0, 0.0]]), "c172x", wind=Wind(north=10.0)))
+    outcome = run_trial(
+        Trial("x", Path([[0.0, 0.0], [6000.0, 0.0]]), "c172x", conditions=Conditions(wind=Wind(north=10.0)))
+    )
     assert outcome.metrics["heading_error_max"].value == pytest.approx(math.asin(10.0 / 55.0), abs=0.01)
     assert outcome.metrics["course_error_max"].value < 0.01
 
@@ -123,7 +128,9 @@ def test_a_truck_stays_on_the_ground():
 def test_a_climb_is_steeper_with_the_wind_behind():
     path = Path([[0.0, 0.0, 500.0], [3000.0, 0.0, 500.0 + 0.058 * 3000.0]])
     assert run_trial(Trial("calm", path, "c172x")).feasibility.steep == ()
-    (slope,) = run_trial(Trial("tailwind", path, "c172x", wind=Wind(east=15.0))).feasibility.steep
+    (slope,) = run_trial(
+        Trial("tailwind", path, "c172x", conditions=Conditions(wind=Wind(east=15.0)))
+    ).feasibility.steep
     assert slope.gradient == pytest.approx(0.058 * 70.0 / 55.0)
 
 

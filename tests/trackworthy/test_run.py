@@ -26,7 +26,9 @@ def test_quickstart_is_as_expected_and_writes_its_report(tmp_path, capfd):
     assert "4 of 4 cases as expected" in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
     assert len(list((tmp_path / "out" / "figures").glob("*.png"))) == 4
-    verdicts = [case["trackworthy"] for case in json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]]
+    verdicts = [
+        case["trackworthy"] == 1 for case in json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]
+    ]
     assert verdicts == [True, True, True, False]
 
 
@@ -40,24 +42,13 @@ def test_an_unexpected_verdict_is_exit_code_1(tmp_path, capfd):
     assert (tmp_path / "runs" / "mine" / "report.pdf").is_file()
 
 
-def test_a_case_that_crashes_costs_itself_only(tmp_path, capfd, monkeypatch):
-    from sim.truck import Truck
-
-    own = Truck.step
-
-    def step(self, command):
-        if command.speed > 11.0:
-            raise RuntimeError("the tyres came off")
-        return own(self, command)
-
-    monkeypatch.setattr(Truck, "step", step)
-    assert main(["run", campaign(tmp_path, CASE + "speed = [10, 12, 9]\n")]) == 3
+def test_a_case_that_cannot_be_tried_costs_itself_only(tmp_path, capfd):
+    assert main(["run", campaign(tmp_path, CASE + "speed = [10, 400, 9]\n")]) == 2
     out = capfd.readouterr().out
     assert out.count("pass") == 2
-    assert "the tyres came off" in out
+    assert "the truck cannot drive at 400 m/s" in out
     summary = json.loads((tmp_path / "runs" / "mine" / "summary.json").read_text())
-    assert len(summary["cases"]) == 2
-    assert list(summary["errors"]) == ["line 12"]
+    assert [case["errors"] for case in summary["cases"]] == [0, 1, 0]
 
 
 def test_lists_multiply_out(tmp_path):
@@ -65,10 +56,10 @@ def test_lists_multiply_out(tmp_path):
 
     loaded = load_campaign(campaign(tmp_path, CASE + 'speed = ["30km/h", 12]\ncontroller = ["l1", "lqr"]\n'))
     assert [case.name for case in loaded.cases] == [
-        "line l1 30km/h",
-        "line l1 12",
-        "line lqr 30km/h",
-        "line lqr 12",
+        "line 30km/h l1",
+        "line 30km/h lqr",
+        "line 12 l1",
+        "line 12 lqr",
     ]
 
 

@@ -85,7 +85,7 @@ def test_failed_write_leaves_the_old_file_and_nothing_else(tmp_path, monkeypatch
     assert os.listdir(tmp_path) == ["a.csv"]
 
 
-@pytest.mark.parametrize("name", ["nowhere/a.csv", "a\0.csv"])
-def test_unwritable(tmp_path: pathlib.Path, name):
-    with pytest.raises(InputError, match="cannot be written"):
+@pytest.mark.parametrize(("name", "why"), [("nowhere/a.csv", "does not exist"), ("a\0.csv", "cannot be written")])
+def test_unwritable(tmp_path: pathlib.Path, name, why):
+    with pytest.raises(InputError, match=why):
         files.write(Path([[0.0, 0.0], [1.0, 0.0]]), tmp_path / name)

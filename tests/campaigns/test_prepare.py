@@ -1,7 +1,9 @@
 import numpy as np
 import pytest
 
-from campaigns.case import Case, prepare
+from campaigns.case import Case
+from campaigns.inputs import Reader
+from campaigns.prepare import assemble
 from planners import files
 from planners.clearance import clearance
 from planners.errors import InputError
@@ -17,6 +19,11 @@ ITEM = (
 )
 
 
+def prepare(folder, path, **settings):
+    case = Case(path=path, vehicle="c172x", **settings)
+    return assemble(case, Reader(folder).read(case))
+
+
 def mission(tmp_path, speed):
     items = [ITEM % (178, 2, f"0, {speed}, -1, 0, 0, 0, 0")]
     items += [ITEM % (16, 3, f"0, 0, 0, null, {47 + 0.02 * i}, 8, 500") for i in range(3)]
@@ -25,27 +32,27 @@ def mission(tmp_path, speed):
 
 
 def test_a_mission_sets_its_speed_where_the_vehicle_can_keep_it(tmp_path):
-    ready = prepare(Case(mission(tmp_path, 50), "c172x"), tmp_path)
+    ready = prepare(tmp_path, mission(tmp_path, 50))
     assert ready.speed == 50.0
-    slow = prepare(Case(mission(tmp_path, 12), "c172x"), tmp_path)
+    slow = prepare(tmp_path, mission(tmp_path, 12))
     assert slow.speed == 55.0
     assert any("12 m/s, which is not a speed of this vehicle" in note for note in slow.notes)
 
 
 def test_the_users_speed_counts_before_the_missions(tmp_path):
-    trial = prepare(Case(mission(tmp_path, 50), "c172x", speed="100kt"), tmp_path)
+    trial = prepare(tmp_path, mission(tmp_path, 50), speed="100kt")
     assert trial.speed == pytest.approx(51.444, abs=1e-3)
 
 
 def test_an_altitude_replaces_the_paths_heights(tmp_path):
-    trial = prepare(Case(mission(tmp_path, 50), "c172x", altitude="1.2km"), tmp_path)
+    trial = prepare(tmp_path, mission(tmp_path, 50), altitude="1.2km")
     assert trial.path.z is None
     assert trial.altitude == 1200.0
 
 
 def test_a_scenario_without_a_place_does_not_fit_a_geographic_path(tmp_path):
     with pytest.raises(InputError, match="no place on the planet"):
-        prepare(Case(mission(tmp_path, 50), "c172x", scenario="nofly-1000x660"), tmp_path)
+        prepare(tmp_path, mission(tmp_path, 50), scenario="nofly-1000x660")
 
 
 def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
@@ -56,7 +63,7 @@ def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
     field = Frame(47.0, 8.0)
     (lat, lon), *_ = field.to_geographic(Path([[200.0, 300.0], [900.0, 300.0]]).xy).tolist()
     files.write(Path([[0.0, 0.0], [700.0, 0.0]], frame=Frame(lat, lon)), tmp_path / "path.csv")
-    trial = prepare(Case("path.csv", "c172x", scenario="field.toml"), tmp_path)
+    trial = prepare(tmp_path, "path.csv", scenario="field.toml")
     assert trial.path.frame == field
     assert trial.path.points[0] == pytest.approx([200.0, 300.0], abs=1e-3)
     assert trial.obstacles is not None
@@ -65,7 +72,7 @@ def test_a_geographic_path_is_moved_into_the_frame_of_the_scenario(tmp_path):
 
 def test_fly_by_reports_each_corner(tmp_path):
     files.write(Path([[0.0, 0.0], [3000.0, 0.0], [3000.0, 3000.0]]), tmp_path / "corner.csv")
-    ready = prepare(Case("corner.csv", "c172x", corners="fly-by"), tmp_path)
+    ready = prepare(tmp_path, "corner.csv", corners="fly-by")
     notes = [note for note in ready.notes if "rounded" in note]
     assert len(notes) == 1
     assert "corner at 3.00 km, 90 deg: rounded with a radius of 370 m, cut by 153.3 m" in notes[0]

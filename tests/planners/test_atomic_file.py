@@ -1,7 +1,7 @@
 import pytest
 
+from planners.atomic_file import atomic
 from planners.errors import InputError, TrackworthyError
-from reports.files import atomic
 
 
 def test_appears_whole(tmp_path):

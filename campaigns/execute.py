@@ -1,0 +1,126 @@
+"""A campaign from its cases to its results: opened folder, plans, trials, statistics, the worst trials once more."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from campaigns.attempt import Attempt
+from campaigns.campaign import Campaign
+from campaigns.folder import opened
+from campaigns.lanes import Lanes
+from campaigns.ready import ReadyCase
+from campaigns.resolved import write_resolved
+from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials, tasks_of
+from campaigns.summary import CaseResult, results_of, write_summary
+from campaigns.workers import Workers
+from tracking.outcome import Outcome
+
+PLANNING = 60.0  # [s] for a worker beyond its planner's own time-out
+SHOWN = 100  # cases whose worst trial is given whole, those not as expected first
+
+Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable[Attempt]]
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name."""
+
+    results: list[CaseResult]
+    outcomes: dict[str, Outcome]
+
+
+@dataclass(frozen=True, slots=True)
+class Machines:
+    """Where to run: `jobs` processes here, or the dask scheduler at `dask`."""
+
+    jobs: int
+    dask: str | None = None
+
+    @contextmanager
+    def lanes(self, timeout: float) -> Iterator[Lanes]:
+        """An executor, let go of at the end; at once where the run is broken off."""
+        lanes = self._lanes(timeout)
+        try:
+            yield lanes
+        except BaseException:
+            lanes.executor.shutdown(cancel_futures=True)
+            raise
+        lanes.executor.shutdown()
+
+    def _lanes(self, timeout: float) -> Lanes:
+        if self.dask is None:
+            return Lanes(Workers(self.jobs, timeout), 2 * self.jobs)
+        from campaigns.cluster import Cluster
+
+        cluster = Cluster(self.dask, timeout)
+        return Lanes(cluster, cluster.width)
+
+
+def default_jobs() -> int:
+    """As many as there are processors for this process."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def execute(
+    campaign: Campaign, cases: Sequence[ReadyCase], folder: Path, machines: Machines, watch: Watch, fresh: bool = False
+) -> Finished:
+    """Run what is missing in `folder`, and sum up.
+
+    Raises `InputError` for a folder that cannot be taken, `TrackworthyError` where the disk fails.
+    """
+    with opened(folder, campaign, cases, fresh) as store:
+        write_resolved(campaign, cases, folder)
+        cases = planned(cases, folder)
+        with machines.lanes(campaign.timeout) as lanes:
+            tasks = outstanding(campaign, cases, store)
+            for _ in watch(run_trials(campaign, tasks, store, folder, lanes), tasks, campaign.trials):
+                pass
+            results = results_of(cases, store)
+            outcomes = _worst(campaign, results, folder, lanes)
+        write_summary(campaign, results, folder / "summary.json")
+        return Finished(results, outcomes)
+
+
+def planned(cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:
+    """Outside planners run on this machine, where their programs are."""
+    timeouts = [ready.plan.planner.timeout for ready in cases if ready.plan]
+    if not timeouts:
+        return cases
+    with Machines(default_jobs()).lanes(max(timeouts) + PLANNING) as lanes:
+        return plan_all(cases, folder, lanes)
+
+
+def _worst(campaign: Campaign, results: Sequence[CaseResult], folder: Path, lanes: Lanes) -> dict[str, Outcome]:
+    """Try the worst trial of each case once more, to show it and to keep its track."""
+    first = sorted(results, key=lambda result: (result.passed, result.ready.number))[:SHOWN]
+    shown = {result.ready.case.name for result in first}
+    tasks = [
+        task
+        for result in results
+        if result.worst and (campaign.keep_tracks == "worst" or result.ready.case.name in shown)
+        for task in tasks_of(campaign, result.ready)
+        if task.trial == result.worst.trial
+    ]
+    outcomes = {}
+    for task, outcome in replay_each(tasks, lanes):
+        if outcome is None:
+            continue
+        if campaign.keep_tracks == "worst":
+            keep_track(folder, task, outcome)
+        if task.ready.case.name in shown:
+            outcomes[task.ready.case.name] = outcome
+    if campaign.keep_tracks == "worst":
+        _forget_others(folder, tasks)
+    return outcomes
+
+
+def _forget_others(folder: Path, tasks: Sequence[Task]) -> None:
+    """Remove tracks that were the worst of a shorter run."""
+    kept = {task.key[:16] for task in tasks}
+    for file in (folder / "tracks").glob("*.parquet"):
+        if file.stem not in kept:
+            file.unlink()

@@ -1,0 +1,71 @@
+"""The folder of a campaign's results: one run at a time, one campaign, and nothing else touched."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import shutil
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from campaigns.campaign import Campaign
+from campaigns.manifest import check_same, manifest_of, read_manifest, write_manifest
+from campaigns.ready import ReadyCase
+from campaigns.store import Store
+from planners.errors import InputError
+
+# What a run makes; --fresh removes this and nothing else
+MADE = (
+    "campaign.toml", "inputs", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans", "tracks",
+    "figures", "report.pdf", "summary.json", "manifest.json",
+)  # fmt: skip
+
+
+@contextmanager
+def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: bool = False) -> Iterator[Store]:
+    """The store in `folder`, which is made where it does not exist, and locked meanwhile.
+
+    Raises `InputError` with the remedy for a folder in use, of another campaign, or that may not be written to.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o644)
+    except OSError as error:
+        raise InputError(str(folder), f"cannot be written to: {error.strerror}", "give another with -o") from error
+    try:
+        _lock(lock, folder)
+        manifest, file = manifest_of(campaign, cases), folder / "manifest.json"
+        if fresh and file.exists():
+            clear(folder)
+        found = read_manifest(file)
+        if found is not None:
+            check_same(found, manifest, folder)
+        store = Store(folder / "results.sqlite")
+        try:
+            write_manifest(manifest, file)
+            yield store
+        finally:
+            store.close()
+    finally:
+        os.close(lock)
+
+
+def clear(folder: Path) -> None:
+    """Remove the results in `folder`, the manifest last; anything else stays."""
+    for name in MADE:
+        if (folder / name).is_dir():
+            shutil.rmtree(folder / name)
+        else:
+            (folder / name).unlink(missing_ok=True)
+
+
+def _lock(lock: int, folder: Path) -> None:
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        owner = os.pread(lock, 20, 0).decode(errors="replace").strip() or "another process"
+        remedy = "wait for it, or give another folder with -o"
+        raise InputError(str(folder), f"is in use by process {owner}", remedy) from None
+    os.ftruncate(lock, 0)
+    os.pwrite(lock, str(os.getpid()).encode(), 0)

@@ -1,0 +1,60 @@
+"""What a case names, read once: its path file, its scenario, its vehicle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+
+from campaigns.case import Case
+from planners import files
+from planners.errors import InputError
+from planners.files import PathFile
+from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario
+from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
+from sim.vehicle import Limits
+from sim.vehicles import make_vehicle
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """`file` is None where a planner gives the path; `vehicle` is its name, or all that its file says."""
+
+    file: PathFile | None
+    scenario: Scenario | None
+    vehicle: str | Aircraft
+    limits: Limits
+
+
+@dataclass(slots=True)
+class Reader:
+    """Reads what cases name relative to `folder`, each file once."""
+
+    folder: FilePath
+    _files: dict[str, PathFile] = field(default_factory=dict)
+    _scenarios: dict[str, Scenario] = field(default_factory=dict)
+    _vehicles: dict[tuple[str, float], tuple[str | Aircraft, Limits]] = field(default_factory=dict)
+
+    def read(self, case: Case) -> Inputs:
+        """The inputs of `case`; raises `InputError` with the place of a fault."""
+        if bool(case.path) == (case.planner is not None):
+            raise InputError(case.name or "case", "a path or a planner is needed, one of them", "give path = ...")
+        if case.planner is not None and case.scenario is None:
+            raise InputError(case.name, "a planner needs a scenario", "add scenario = ...")
+        if case.path and case.path not in self._files:
+            self._files[case.path] = files.read(self.folder / case.path)
+        scenario = self._scenario(case.scenario) if case.scenario else None
+        vehicle, limits = self._vehicle(case.vehicle, case.steering_hz)
+        return Inputs(self._files.get(case.path), scenario, vehicle, limits)
+
+    def _scenario(self, name: str) -> Scenario:
+        if name not in self._scenarios:
+            place = name if name in BUILT_IN_SCENARIOS or not FilePath(name).suffix else self.folder / name
+            self._scenarios[name] = load_scenario(place)
+        return self._scenarios[name]
+
+    def _vehicle(self, name: str, steering_hz: float) -> tuple[str | Aircraft, Limits]:
+        if (name, steering_hz) not in self._vehicles:
+            own_file = name not in ALL_AIRCRAFT and FilePath(name).suffix == ".toml"
+            vehicle = load_aircraft(str(self.folder / name)) if own_file else name
+            self._vehicles[name, steering_hz] = (vehicle, make_vehicle(vehicle, steering_hz).limits)
+        return self._vehicles[name, steering_hz]

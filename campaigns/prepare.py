@@ -1,0 +1,161 @@
+"""Makes a case ready to be tried: quantities in SI units, corners rounded, obstacles in the path's frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path as FilePath
+
+import msgspec
+import numpy as np
+
+from campaigns.case import Case
+from campaigns.conditions import ConditionKeys, WindKeys, draw, known_wind
+from campaigns.inputs import Inputs
+from planners.combine import merge, to_frame
+from planners.corners import Rounded, fly_by
+from planners.errors import InputError
+from planners.in_frame import in_frame_of
+from planners.map import Map
+from planners.path import Path
+from planners.units import parse_speed, split_quantity
+from sim.vehicle import Limits
+from sim.wind import Wind
+from tracking.feasibility import required_radius
+from tracking.trial import Trial
+
+FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
+ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as points
+
+
+def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
+    """`case` with every quantity in SI units and every default written out, and notes on where they come from."""
+    speed, notes = _speed(case, inputs)
+    altitude = _metres(case.altitude, "altitude")
+    corridor = _metres(case.corridor, "corridor") or inputs.limits.corridor
+    name = case.name or FilePath(case.path or case.scenario or "").stem
+    case = msgspec.structs.replace(case, name=name, speed=speed, altitude=altitude, corridor=corridor)
+    return case, (*notes, *_idle(case, inputs.limits))
+
+
+def assemble(case: Case, inputs: Inputs, planned: Path | None = None) -> Trial:
+    """The trial of `case`, with its path from `inputs` or as `planned`; its notes tell how, one line each.
+
+    Its conditions are those of a trial with seed 0. Raises `InputError` with the place of a fault.
+    """
+    case, remarks = settled(case, inputs)
+    notes, source = list(remarks), FilePath(case.path).name or case.name
+    if inputs.file is not None:
+        notes = [*(f"{source}: {note}" for note in inputs.file.notes), *notes]
+    given = inputs.file.path if inputs.file is not None else planned
+    if given is None:
+        raise InputError(case.name, "it has no path yet")
+    path = given if inputs.scenario is None else in_frame_of(inputs.scenario, given)
+    if case.altitude is not None and path.z is not None:
+        path = replace(path, points=path.xy)
+    if case.corners == "fly-by":
+        path, rounded = _rounded(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
+        notes += [f"{source}: {_corner_note(corner)}" for corner in rounded]
+    fence = inputs.file.fence if inputs.file is not None else None
+    trial = Trial(
+        name=case.name,
+        path=path,
+        vehicle=inputs.vehicle,
+        controller=case.controller,
+        speed=_number(case.speed),
+        altitude=None if case.altitude is None else _number(case.altitude),
+        corridor=_number(case.corridor),
+        obstacles=_obstacles(path, fence, inputs.scenario.map if inputs.scenario else None),
+        max_range=inputs.scenario.max_range if inputs.scenario else None,
+        steering_hz=case.steering_hz,
+        require=case.require,
+        expect=case.expect,
+        notes=tuple(notes),
+    )
+    return seeded(trial, case.conditions, 0)
+
+
+def seeded(trial: Trial, conditions: ConditionKeys, seed: int) -> Trial:
+    """`trial` in the conditions drawn with `seed`, which also decides all else that is random in it."""
+    one = draw(conditions, seed)
+    return replace(trial, seed=seed, conditions=one.conditions, offset=one.offset, sensors=one.sensors)
+
+
+def _number(value: str | float | None) -> float:
+    """A quantity of a settled case."""
+    return float(value if value is not None else "nan")
+
+
+def _speed(case: Case, inputs: Inputs) -> tuple[float, Sequence[str]]:
+    """The user's speed, else the mission's where the vehicle can keep it, else the vehicle's."""
+    limits = inputs.limits
+    if case.speed is not None:
+        return parse_speed(case.speed), ()
+    planned = inputs.file.speed if inputs.file is not None else None
+    if planned is None:
+        return limits.speed, ()
+    name = FilePath(case.path).name
+    if limits.speed_min <= planned <= limits.speed_max:
+        return planned, (f"{name}: flown at the {planned:g} m/s that it sets",)
+    note = f"{name}: sets {planned:g} m/s, which is not a speed of this vehicle; taken at {limits.speed:g} m/s"
+    return limits.speed, (note,)
+
+
+def _idle(case: Case, limits: Limits) -> list[str]:
+    """A note for each condition that does not act on this kind of vehicle."""
+    keys = case.conditions
+    if limits.kind != "ground":
+        given = {"friction": keys.friction is not None}
+        why = f"a {case.vehicle} has no tyres on the road"
+    else:
+        given = {
+            "wind": keys.wind != WindKeys(0.0),
+            "turbulence": keys.turbulence != 0.0,
+            "gust": keys.gust is not None,
+            "mass": keys.mass != 1.0,
+        }
+        why = f"it does not move a {case.vehicle}"
+    return [f"{case.name}: {name}: not taken, {why}" for name, there in given.items() if there]
+
+
+def _metres(text: str | float | None, place: str) -> float | None:
+    if text is None:
+        return None
+    value, unit = split_quantity(str(text), place)
+    if unit not in ("", "m", "km"):
+        raise InputError(place, f"unknown unit {unit!r} in {text!r}", "give metres, or km")
+    if place == "corridor" and value <= 0.0:
+        raise InputError(place, f"{text} is not a half-width", "give one above 0")
+    return value * (1000.0 if unit == "km" else 1.0)
+
+
+def _rounded(
+    path: Path, limits: Limits, speed: float, conditions: ConditionKeys, corridor: float
+) -> tuple[Path, tuple[Rounded, ...]]:
+    """Corners as wide as the wind asks for that is known beforehand; where it is drawn, as in calm air."""
+    wind = known_wind(conditions) or Wind()
+
+    def radius(course: float, angle: float) -> float:
+        required = FLY_BY_RESERVE * required_radius(limits, speed, wind, course, angle)
+        if not np.isfinite(required):
+            raise InputError("wind", f"{wind.speed:.4g} m/s of wind cannot be held at {speed:.4g} m/s")
+        return required
+
+    return fly_by(path, radius, ARC_DEVIATION * corridor)
+
+
+def _corner_note(corner: Rounded) -> str:
+    where = f"corner at {corner.s / 1000:.2f} km, {abs(np.degrees(corner.angle)):.0f} deg"
+    if corner.radius == 0.0:
+        return f"{where}: left as drawn, too sharp to fly by"
+    short = f" (wanted {corner.wanted:.0f} m, the legs leave no more)" if corner.radius < 0.999 * corner.wanted else ""
+    return f"{where}: rounded with a radius of {corner.radius:.0f} m{short}, cut by {corner.cut:.1f} m"
+
+
+def _obstacles(path: Path, fence: Map | None, scenario: Map | None) -> Map | None:
+    """The mission's fence and the scenario's map as one, in the path's frame."""
+    if fence is not None and path.frame is not None:
+        fence = to_frame(fence, path.frame)
+    if scenario is None or fence is None:
+        return fence if scenario is None else scenario
+    return merge(scenario, fence)

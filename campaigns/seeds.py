@@ -1,0 +1,40 @@
+"""Seeds and keys: hashes of what decides a trial, the same on every machine and in every order."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import msgspec
+
+from campaigns.case import Case
+
+SEED_BITS = 53  # so that every reader of JSON holds it exactly
+
+
+def digest(*parts: object) -> str:
+    """SHA-256 in hex of anything msgspec can encode, keys in order."""
+    return hashlib.sha256(msgspec.json.encode(parts, order="deterministic")).hexdigest()
+
+
+def trial_seed(campaign_seed: int, case: Case, trial: int) -> int:
+    """The seed of a case's trial of that number: the same for every planner, vehicle, speed and controller.
+
+    It depends on the campaign's seed, the scenario, the conditions and the number, so that the same weather meets all
+    that is compared.
+    """
+    return _seed("trial", campaign_seed, _scenario(case), case.conditions, trial)
+
+
+def plan_seed(campaign_seed: int, case: Case) -> int:
+    """The seed of a case's planner."""
+    return _seed("plan", campaign_seed, _scenario(case), case.plan_seed)
+
+
+def _scenario(case: Case) -> str:
+    """By name, not by content or place: a scenario that is corrected or moved keeps its weather."""
+    return Path(case.scenario or "").stem
+
+
+def _seed(*parts: object) -> int:
+    return int(digest(*parts), 16) >> (256 - SEED_BITS)

@@ -1,0 +1,151 @@
+"""What many trials of one case say: shares with their uncertainty, quantiles, and bands along the path."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import binomtest
+
+from campaigns.store import Row
+from planners.kernel import Floats
+from tracking.profile import PIECES
+
+CONFIDENCE = 0.95
+RESAMPLES = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """A metric over trials: `worst` in its own direction, met first in the trial `worst_trial`; SI units."""
+
+    median: float
+    p95: float
+    worst: float
+    worst_trial: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """Cross-track error along the path (P,) [m]: the steady `bias` is the mean over trials at each place, `spread` the
+    standard deviation about it; `median` of abs(e) with the bootstrap interval `low` to `high` of that median.
+    """
+
+    bias: Floats
+    spread: Floats
+    median: Floats
+    low: Floats
+    high: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class CaseStatistics:
+    """All of a case: `share` of the trials that are trackworthy with its Clopper-Pearson interval, metrics by name.
+
+    `values` (T, M) holds every metric of every trial without error, NaN where one could not be measured, in the order
+    of `names`; `seeds` and `trials` (T,) tell whose they are. `bias` and `spread` [m] are those of the whole path,
+    `kinds` those of the errors.
+    """
+
+    tried: int
+    errors: int
+    trackworthy: int
+    passed: int
+    interval: tuple[float, float]
+    names: tuple[str, ...]
+    values: Floats
+    seeds: tuple[int, ...]
+    trials: tuple[int, ...]
+    metrics: dict[str, Summary]
+    band: Band | None
+    bias: float
+    spread: float
+    first_error: str
+    kinds: frozenset[str]
+
+    @property
+    def share(self) -> float:
+        """Share of the trials without error that are trackworthy."""
+        return self.trackworthy / self.tried if self.tried else 0.0
+
+
+def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
+    """The statistics of a case's rows; `better` tells each metric's direction."""
+    names: tuple[str, ...] = ()
+    values, profiles = [], []
+    seeds, trials = [], []
+    worthy = passed = errors = 0
+    first_error = ""
+    kinds = set()
+    for row in rows:
+        if row.error:
+            errors += 1
+            kinds.add(row.kind)
+            first_error = first_error or row.error
+            continue
+        names = names or tuple(row.metrics)
+        found = (row.metrics.get(name) for name in names)
+        values.append(np.array([np.nan if m is None or m.value is None else m.value for m in found]))
+        profiles.append(np.frombuffer(row.profile, np.float32))
+        seeds.append(row.seed)
+        trials.append(row.trial)
+        worthy += row.trackworthy
+        passed += row.passed
+    tried = len(values)
+    table = np.array(values).reshape(tried, len(names))
+    laid = np.array(profiles, dtype=float).reshape(tried, PIECES)
+    metrics = {
+        name: _summary(table[:, i], trials, better.get(name, "lower"))
+        for i, name in enumerate(names)
+        if np.isfinite(table[:, i]).any()
+    }
+    return CaseStatistics(
+        tried=tried,
+        errors=errors,
+        trackworthy=worthy,
+        passed=passed,
+        interval=clopper_pearson(worthy, tried),
+        names=names,
+        values=table,
+        seeds=tuple(seeds),
+        trials=tuple(trials),
+        metrics=metrics,
+        band=error_band(laid) if tried > 1 else None,
+        bias=float(laid.mean()) if tried else 0.0,
+        spread=float(laid.std()) if tried else 0.0,
+        first_error=first_error,
+        kinds=frozenset(kinds),
+    )
+
+
+def clopper_pearson(successes: int, tries: int) -> tuple[float, float]:
+    """The exact 95 % interval of a share (Clopper and Pearson 1934); from 0 to 1 without tries."""
+    if tries == 0:
+        return 0.0, 1.0
+    interval = binomtest(successes, tries).proportion_ci(CONFIDENCE, method="exact")
+    return float(interval.low), float(interval.high)
+
+
+def error_band(profiles: Floats) -> Band:
+    """The band of `profiles` (T, P) [m], signed errors of T trials; its bootstrap resamples trials (Efron 1979)."""
+    size = np.abs(profiles)
+    rng = np.random.default_rng(zlib.crc32(np.ascontiguousarray(size).tobytes()))
+    count = len(size)
+    medians = np.array([np.median(size[rng.integers(0, count, count)], axis=0) for _ in range(RESAMPLES)])
+    edge = 100 * (1.0 - CONFIDENCE) / 2
+    low, high = np.percentile(medians, [edge, 100 - edge], axis=0)
+    return Band(profiles.mean(axis=0), profiles.std(axis=0), np.median(size, axis=0), low, high)
+
+
+def _summary(values: Floats, trials: list[int], better: str) -> Summary:
+    """`better` "neither" makes the largest size the worst."""
+    known = np.isfinite(values)
+    badness = {"lower": values, "higher": -values}.get(better, np.abs(values))
+    worst = int(np.argmax(np.where(known, badness, -np.inf)))
+    finite = values[known]
+    quantile = 5 if better == "higher" else 95  # the bad end
+    p95 = float(np.percentile(finite, quantile))
+    return Summary(float(np.median(finite)), p95, float(values[worst]), trials[worst], int(known.sum()))

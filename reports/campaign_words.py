@@ -1,0 +1,56 @@
+"""A campaign's results as lines of text."""
+
+from __future__ import annotations
+
+from campaigns.summary import ERROR, CaseResult
+from reports.quantity import text
+from reports.words import reason, sentence
+from tracking.outcome import Outcome
+
+HEADLINE = "cross_track_p95"
+
+
+def case_line(result: CaseResult, outcome: Outcome | None) -> str:
+    """What became of a case, in one line; `outcome` is that of its worst trial."""
+    return f"{mark(result)} {result.ready.case.name}: {_told(result, outcome)}"
+
+
+def mark(result: CaseResult) -> str:
+    """ "pass ", "FAIL " or "error"."""
+    if result.verdict == ERROR:
+        return "error"
+    return "pass " if result.passed else "FAIL "
+
+
+def _told(result: CaseResult, outcome: Outcome | None) -> str:
+    found, case = result.statistics, result.ready.case
+    if found.errors:
+        share = f"{found.errors} of {case.trials} trials: " if case.trials > 1 else ""
+        return f"{share}{found.first_error}"
+    if case.trials == 1:
+        return sentence(outcome) if outcome else result.verdict
+    parts = [share_words(result), *spread_words(result)]
+    if outcome is not None and result.worst is not None:
+        parts.append(f"worst: trial {result.worst.trial}, {reason(outcome)}")
+    return "; ".join(parts)
+
+
+def share_words(result: CaseResult) -> str:
+    """ "18 of 20 trials trackworthy (68 to 99 %)": with the 95 % interval of the share."""
+    found = result.statistics
+    low, high = found.interval
+    return f"{found.trackworthy} of {found.tried} trials trackworthy ({100 * low:.0f} to {100 * high:.0f} %)"
+
+
+def spread_words(result: CaseResult) -> list[str]:
+    """The headline metric over the trials, and the steady bias apart from the spread."""
+    found = result.statistics
+    parts = []
+    if one := found.metrics.get(HEADLINE):
+        unit = result.units[HEADLINE][0]
+        parts.append(
+            f"95 % of the way within {text(one.median, unit)} (median), {text(one.p95, unit)} (p95), "
+            f"{text(one.worst, unit)} (worst)"
+        )
+    parts.append(f"bias {text(found.bias, 'm', 2)}, spread {text(found.spread, 'm', 2)}")
+    return parts
