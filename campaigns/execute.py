@@ -79,8 +79,8 @@ def execute(
             tasks = outstanding(campaign, cases, store)
             for _ in watch(run_trials(campaign, tasks, store, folder, lanes), tasks, campaign.trials):
                 pass
-            results = results_of(cases, store)
-            outcomes = _worst(campaign, results, folder, lanes)
+            results = results_of([ready.case for ready in cases], store)
+            outcomes = _worst(campaign, cases, results, folder, lanes)
         write_summary(campaign, results, folder / "summary.json")
         return Finished(results, outcomes)
 
@@ -94,15 +94,17 @@ def planned(cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:
         return plan_all(cases, folder, lanes)
 
 
-def _worst(campaign: Campaign, results: Sequence[CaseResult], folder: Path, lanes: Lanes) -> dict[str, Outcome]:
+def _worst(
+    campaign: Campaign, cases: Sequence[ReadyCase], results: Sequence[CaseResult], folder: Path, lanes: Lanes
+) -> dict[str, Outcome]:
     """Try the worst trial of each case once more, to show it and to keep its track."""
-    first = sorted(results, key=lambda result: (result.passed, result.ready.number))[:SHOWN]
-    shown = {result.ready.case.name for result in first}
+    first = sorted(results, key=lambda result: (result.passed, result.number))[:SHOWN]
+    shown = {result.case.name for result in first}
     tasks = [
         task
-        for result in results
-        if result.worst and (campaign.keep_tracks == "worst" or result.ready.case.name in shown)
-        for task in tasks_of(campaign, result.ready)
+        for ready, result in zip(cases, results, strict=True)
+        if result.worst and (campaign.keep_tracks == "worst" or result.case.name in shown)
+        for task in tasks_of(campaign, ready)
         if task.trial == result.worst.trial
     ]
     outcomes = {}

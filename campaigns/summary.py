@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 
 from campaigns.campaign import Campaign
-from campaigns.ready import ReadyCase
+from campaigns.case import Case
 from campaigns.statistics import Band, CaseStatistics, Summary, statistics
 from campaigns.store import Row, Store
 from planners.files.text import write_text
@@ -27,7 +27,8 @@ Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
 class CaseResult:
     """A case with its statistics and its worst trial; `units` gives unit and direction of each metric."""
 
-    ready: ReadyCase
+    number: int
+    case: Case
     statistics: CaseStatistics
     worst: Row | None
     units: dict[str, tuple[str, str]]
@@ -37,23 +38,22 @@ class CaseResult:
         """ "trackworthy" if enough of its trials are, "error" if one of them could not be tried."""
         if self.statistics.errors:
             return ERROR
-        return TRACKWORTHY if self.statistics.share >= self.ready.case.pass_share else NOT_TRACKWORTHY
+        return TRACKWORTHY if self.statistics.share >= self.case.pass_share else NOT_TRACKWORTHY
 
     @property
     def passed(self) -> bool:
         """Whether the verdict is the expected one."""
-        return self.verdict == self.ready.case.expect
+        return self.verdict == self.case.expect
 
 
-def results_of(cases: Sequence[ReadyCase], store: Store) -> list[CaseResult]:
-    """Every case with what is stored of it."""
+def results_of(cases: Sequence[Case], store: Store) -> list[CaseResult]:
+    """Every case with what is stored of it; `number` counts from 1."""
     units = store.units()
     better = {name: direction for name, (_, direction) in units.items()}
     results = []
-    for ready in cases:
-        name, trials = ready.case.name, ready.case.trials
-        found = statistics(store.rows(name, trials), better)
-        results.append(CaseResult(ready, found, worst_of(store.rows(name, trials)), units))
+    for number, case in enumerate(cases, start=1):
+        found = statistics(store.rows(case.name, case.trials), better)
+        results.append(CaseResult(number, case, found, worst_of(store.rows(case.name, case.trials)), units))
     return results
 
 
@@ -70,7 +70,7 @@ def write_summary(campaign: Campaign, results: Sequence[CaseResult], file: Path)
         "title": campaign.title,
         "seed": campaign.seed,
         "schema": SCHEMA_VERSION,
-        "trials": sum(result.ready.case.trials for result in results),
+        "trials": sum(result.case.trials for result in results),
         "errors": sum(result.statistics.errors for result in results),
         "passed": sum(result.passed for result in results),
         "cases": [_case(result) for result in results],
@@ -80,7 +80,7 @@ def write_summary(campaign: Campaign, results: Sequence[CaseResult], file: Path)
 
 
 def _case(result: CaseResult) -> Json:
-    case, found = result.ready.case, result.statistics
+    case, found = result.case, result.statistics
     low, high = found.interval
     return {
         "name": case.name,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from campaigns.summary import ERROR, CaseResult
-from reports.quantity import text
+from reports.quantity import number, text
 from reports.words import reason, sentence
 from tracking.outcome import Outcome
 
@@ -12,7 +12,7 @@ HEADLINE = "cross_track_p95"
 
 def case_line(result: CaseResult, outcome: Outcome | None) -> str:
     """What became of a case, in one line; `outcome` is that of its worst trial."""
-    return f"{mark(result)} {result.ready.case.name}: {_told(result, outcome)}"
+    return f"{mark(result)} {result.case.name}: {_told(result, outcome)}"
 
 
 def mark(result: CaseResult) -> str:
@@ -23,7 +23,7 @@ def mark(result: CaseResult) -> str:
 
 
 def _told(result: CaseResult, outcome: Outcome | None) -> str:
-    found, case = result.statistics, result.ready.case
+    found, case = result.statistics, result.case
     if found.errors:
         share = f"{found.errors} of {case.trials} trials: " if case.trials > 1 else ""
         return f"{share}{found.first_error}"
@@ -39,7 +39,7 @@ def share_words(result: CaseResult) -> str:
     """ "18 of 20 trials trackworthy (68 to 99 %)": with the 95 % interval of the share."""
     found = result.statistics
     low, high = found.interval
-    return f"{found.trackworthy} of {found.tried} trials trackworthy ({100 * low:.0f} to {100 * high:.0f} %)"
+    return f"{found.trackworthy} of {found.tried} trials trackworthy ({number(100 * low)} to {number(100 * high)} %)"
 
 
 def spread_words(result: CaseResult) -> list[str]:

@@ -86,7 +86,7 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
     (folder / "figures").mkdir(exist_ok=True)
     outcomes, commands = [], []
     for result in finished.results:
-        case = result.ready.case
+        case = result.case
         outcome = finished.outcomes.get(case.name)
         if outcome is None or result.worst is None:
             continue
@@ -94,11 +94,11 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
             told = "; ".join([share_words(result), *spread_words(result)])
             note = f"{told}. Shown is the worst, trial {result.worst.trial}"
             outcome = dataclasses.replace(outcome, notes=(note, *outcome.notes))
-        save_track_figure(outcome, folder / "figures" / f"{result.ready.number}-{slug(case.name)}.png")
+        save_track_figure(outcome, folder / "figures" / f"{result.number}-{slug(case.name)}.png")
         outcomes.append(outcome)
         commands.append(replay_command(called, case.name, result.worst.trial))
     errors = {
-        result.ready.case.name: result.statistics.first_error for result in finished.results if result.statistics.errors
+        result.case.name: result.statistics.first_error for result in finished.results if result.statistics.errors
     }
     write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, errors=errors)
 
@@ -116,7 +116,7 @@ def _answer(finished: Finished, folder: Path) -> int:
 
     results = finished.results
     for result in results:
-        print(case_line(result, finished.outcomes.get(result.ready.case.name)))
+        print(case_line(result, finished.outcomes.get(result.case.name)))
     passed = sum(result.passed for result in results)
     failed = [result for result in results if result.statistics.errors]
     failures = f", {len(failed)} failed to run" if failed else ""

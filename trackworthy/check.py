@@ -1,0 +1,80 @@
+"""`trackworthy check`: are these results as good as the baseline?"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from campaigns.gate import Check
+
+FORMATS = ("table", "json", "junit", "github")
+
+
+def add_parser(commands: Any) -> None:
+    """Declare the command's arguments."""
+    parser = commands.add_parser(
+        "check", help="hold a campaign's results against a baseline", description="Hold results against a baseline."
+    )
+    parser.set_defaults(main=main)
+    add = parser.add_argument
+    add("folder", metavar="DIR", help="results of a campaign, as `trackworthy run` leaves them")
+    add("--baseline", required=True, metavar="FILE", help="JSON file to compare with; commit it with your code")
+    add("--update", action="store_true", help="make these results the baseline")
+    add("--format", choices=FORMATS, default="table", help="what to print (default: table)")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Compare, tell, and answer with the exit code."""
+    from campaigns.baseline import read_baseline, read_record, write_baseline
+    from campaigns.gate import check
+    from planners.errors import TrackworthyError
+    from trackworthy.streams import tell
+
+    file = Path(args.baseline)
+    record = read_record(Path(args.folder))
+    if args.update:
+        errors = sum(result.statistics.errors for result in record.results)
+        write_baseline(record.baseline, file)
+        tell([f"{file}: {len(record.results)} cases are the baseline now"])
+        if errors:
+            tell([f"{errors} of its trials failed to run; a baseline should have none"])
+        return 0
+    found = check(record, read_baseline(file))
+    _show(found, args.format)
+    if found.machinery_failed:
+        return TrackworthyError.exit_code
+    return 1 if found.findings else 0
+
+
+def _show(found: Check, form: str) -> None:
+    if form == "table":
+        from reports.check_text import print_check
+
+        print_check(found)
+    elif form == "json":
+        from reports.check_json import check_json
+
+        print(check_json(found))
+    elif form == "junit":
+        from reports.junit import check_junit
+
+        print(check_junit(found), end="")
+    else:
+        _show_github(found)
+
+
+def _show_github(found: Check) -> None:
+    """Annotations on standard output, the summary where GitHub says, or after them."""
+    import os
+
+    from reports.github import markdown, workflow_commands
+
+    print(workflow_commands(found), end="")
+    summary = os.environ.get("GITHUB_STEP_SUMMARY")
+    if summary:
+        with open(summary, "a", encoding="utf-8") as file:
+            file.write(markdown(found))
+    else:
+        print(markdown(found), end="")
