@@ -34,7 +34,7 @@ class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     seed: int = 0
     keep_tracks: KeepTracks = "worst"
     timeout: Annotated[float, msgspec.Meta(gt=0.0)] = 300.0
-    check: dict[str, Limit] = {}
+    check: dict[str, dict[str, Any]] = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +69,7 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         raise InputError("campaign", f"there is no campaign {name_or_file!r}", f"choose {known}, or a TOML file")
     content = read_toml(file, CampaignFile)
     check_names(content.check, f"{file}: check")
+    limits = {name: convert(keys, Limit, f"{file}: check.{name}") for name, keys in content.check.items()}
     blocks = enumerate(content.case)
     cases = tuple(case for i, block in blocks for case in expanded(block, f"{file}: case[{i}]"))
     if not cases:
@@ -81,7 +82,7 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
     chosen = tuple(case for case in cases if not only or case.name in only)
     return Campaign(
         content.name, content.title or content.name, chosen, file.parent, name_or_file, content.seed,
-        content.keep_tracks, content.timeout, content.check,
+        content.keep_tracks, content.timeout, limits,
     )  # fmt: skip
 
 
@@ -94,6 +95,9 @@ def expanded(block: dict[str, Any], place: str) -> list[Case]:
     }
     if isinstance(conditions, dict):
         lists |= {("conditions", key): value for key, value in conditions.items() if isinstance(value, list)}
+    if empty := next((keys for keys, values in lists.items() if not values), None):
+        what = "an empty list stands for no case"
+        raise InputError(f"{place}: {'.'.join(empty)}", what, "give a value, or leave the key out")
     cases = []
     for numbered in itertools.product(*(enumerate(values, start=1) for values in lists.values())):
         one: dict[str, Any] = {**block}
@@ -102,8 +106,9 @@ def expanded(block: dict[str, Any], place: str) -> list[Case]:
         for keys, (_, value) in zip(lists, numbered, strict=True):
             (one["conditions"] if len(keys) > 1 else one)[keys[-1]] = value
         case = convert(one, Case, place)
-        words = _words(list(zip(lists, numbered, strict=True)))
         stem = case.name or Path(case.path or case.scenario or "").stem
+        said = ("name",) if block.get("name") else ("path",) if block.get("path") else ("scenario",)
+        words = _words([(keys, one) for keys, one in zip(lists, numbered, strict=True) if keys != said])
         cases.append(msgspec.structs.replace(case, name=" ".join([stem, *words])))
     return cases
 
@@ -114,5 +119,11 @@ def _words(chosen: list[tuple[tuple[str, ...], tuple[int, Any]]]) -> Iterator[st
         if isinstance(value, str):
             word = Path(value).stem if keys == ("path",) else value
         else:
-            word = f"{value:g}" if isinstance(value, (int, float)) else f"{number}"
+            word = _number(value) if isinstance(value, (int, float)) else f"{number}"
         yield word if isinstance(value, str) or keys == ("speed",) else f"{keys[-1]} {word}"
+
+
+def _number(value: float) -> str:
+    """As short as it can be without being another number."""
+    short = f"{value:g}"
+    return short if float(short) == value else repr(value)

@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 
 from campaigns.distribution import Distribution, Value, drawn
+from planners.errors import InputError
 from sim.vehicle import Conditions
 from sim.wind import Gust, Wind, parse_wind
 from tracking.loop import Offset
@@ -83,6 +84,8 @@ def draw(keys: ConditionKeys, seed: int) -> Draw:
     severity = number("turbulence", named, 0.0, 7.0)
     if isinstance(named, Distribution):
         severity = float(round(severity))  # the curves have whole numbers
+    elif not severity.is_integer():
+        raise InputError("conditions.turbulence", f"there is no curve {severity:g}", "give a whole number from 0 to 7")
     conditions = Conditions(
         wind=_wind(keys.wind, rng),
         turbulence=severity,

@@ -31,6 +31,8 @@ class Distribution(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit
             raise InputError(place, f"{name} = [{a:g}, {b:g}] has a value that is not finite")
         if name == "normal" and b < 0.0:
             raise InputError(place, f"the standard deviation {b:g} is negative", "write normal = [mean, deviation]")
+        if name == "uniform" and not math.isfinite(b - a):
+            raise InputError(place, f"uniform = [{a:g}, {b:g}] is too wide", "write [lowest, highest]")
         if name == "uniform" and a > b:
             raise InputError(place, f"uniform = [{a:g}, {b:g}] runs backwards", "write [lowest, highest]")
         if name == "weibull" and (a <= 0.0 or b <= 0.0):
@@ -55,7 +57,7 @@ def drawn(value: Value, rng: np.random.Generator, place: str, low: float = -math
     Raises `InputError` naming `place` for a value outside, and for a distribution that does not get inside.
     """
     if not isinstance(value, Distribution):
-        if not low <= value <= high:
+        if not (low <= value <= high and math.isfinite(value)):
             raise InputError(place, f"{value:g} is out of range", f"choose {_range(low, high)}")
         return float(value)
     value.check(place)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated
 
 import msgspec
@@ -37,10 +38,10 @@ DEFAULT_LIMITS = {
     "corridor_violation_distance": Limit(1.0, 0.05),
     "corridor_violation_worst": Limit(0.005, 0.10),
     "completion": Limit(0.001, 0.0),
-    "heading_error_rms": Limit(0.05, 0.05),
-    "heading_error_max": Limit(0.2, 0.10),
-    "course_error_rms": Limit(0.05, 0.05),
-    "course_error_max": Limit(0.2, 0.10),
+    "heading_error_rms": Limit(0.01, 0.05),
+    "heading_error_max": Limit(0.05, 0.10),
+    "course_error_rms": Limit(0.01, 0.05),
+    "course_error_max": Limit(0.05, 0.10),
     "altitude_error_rms": Limit(0.05, 0.05),
     "altitude_error_max": Limit(0.1, 0.10),
     "speed_error_rms": Limit(0.01, 0.05),
@@ -70,7 +71,7 @@ DEFAULT_LIMITS = {
 }
 
 
-def check_names(limits: dict[str, Limit], place: str) -> None:
+def check_names(limits: Iterable[str], place: str) -> None:
     """Raises `InputError` for a metric that cannot get worse, or does not exist."""
     if unknown := next((name for name in limits if name not in DEFAULT_LIMITS), None):
         raise InputError(place, f"there is no metric {unknown!r} to check", suggestion(unknown, DEFAULT_LIMITS))

@@ -8,6 +8,7 @@ from pathlib import Path
 import msgspec
 
 from campaigns.case import Case
+from campaigns.conditions import CALM, ConditionKeys
 
 SEED_BITS = 53  # so that every reader of JSON holds it exactly
 
@@ -23,7 +24,7 @@ def trial_seed(campaign_seed: int, case: Case, trial: int) -> int:
     It depends on the campaign's seed, the scenario, the conditions and the number, so that the same weather meets all
     that is compared.
     """
-    return _seed("trial", campaign_seed, _scenario(case), case.conditions, trial)
+    return _seed("trial", campaign_seed, _scenario(case), _stated(case.conditions), trial)
 
 
 def plan_seed(campaign_seed: int, case: Case) -> int:
@@ -34,6 +35,12 @@ def plan_seed(campaign_seed: int, case: Case) -> int:
 def _scenario(case: Case) -> str:
     """By name, not by content or place: a scenario that is corrected or moved keeps its weather."""
     return Path(case.scenario or "").stem
+
+
+def _stated(conditions: ConditionKeys) -> dict[str, object]:
+    """What is not as by default, so that a kind of condition that is yet to come leaves all seeds as they are."""
+    values = ((name, getattr(conditions, name), getattr(CALM, name)) for name in conditions.__struct_fields__)
+    return {name: value for name, value, default in values if value != default}
 
 
 def _seed(*parts: object) -> int:

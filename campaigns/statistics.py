@@ -146,6 +146,8 @@ def _summary(values: Floats, trials: list[int], better: str) -> Summary:
     badness = {"lower": values, "higher": -values}.get(better, np.abs(values))
     worst = int(np.argmax(np.where(known, badness, -np.inf)))
     finite = values[known]
-    quantile = 5 if better == "higher" else 95  # the bad end
-    p95 = float(np.percentile(finite, quantile))
+    if (better == "neither" and np.median(finite) < 0.0) or better == "higher":
+        p95 = float(np.percentile(finite, 5))  # the bad end
+    else:
+        p95 = float(np.percentile(finite, 95))
     return Summary(float(np.median(finite)), p95, float(values[worst]), trials[worst], int(known.sum()))

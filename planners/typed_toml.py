@@ -18,6 +18,7 @@ T = TypeVar("T", bound=msgspec.Struct)
 
 _MESSAGE = re.compile(r"(.*?)(?: - at `\$\.?(.*)`)?", re.DOTALL)
 _UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
+_NO_WORD = re.compile(r"Invalid enum value '(.*)'")
 _MISSING = re.compile(r"Object missing required field `(.*)`")
 
 
@@ -53,6 +54,8 @@ def convert(raw: object, into: type[T], place: str) -> T:
         raise InputError(where, f"unknown key {unknown[1]!r}", suggestion(unknown[1], _names(into, key)))
     if missing := _MISSING.fullmatch(what):
         raise InputError(where, f"{missing[1]!r} is missing", f"add {missing[1]} = ...")
+    if wrong := _NO_WORD.fullmatch(what):
+        raise InputError(where, f"{wrong[1]!r} is none of its words", suggestion(wrong[1], _literals(into, key)))
     raise InputError(where, what.replace("`", "").replace("Expected", "expected"))
 
 
@@ -64,11 +67,22 @@ def suggestion(word: str, known: Iterable[str]) -> str:
 
 
 def _names(into: type[msgspec.Struct], key: str) -> list[str]:
-    """The keys allowed at `key`, found by following the types."""
+    """The keys allowed at `key`."""
+    kinds = _types(into, key)
+    return [field.encode_name for kind in kinds if isinstance(kind, inspect.StructType) for field in kind.fields]
+
+
+def _literals(into: type[msgspec.Struct], key: str) -> list[str]:
+    """The words allowed at `key`."""
+    return [str(value) for kind in _types(into, key) if isinstance(kind, inspect.LiteralType) for value in kind.values]
+
+
+def _types(into: type[msgspec.Struct], key: str) -> list[inspect.Type]:
+    """The types allowed at `key`, found by following it."""
     found: list[inspect.Type] = [inspect.type_info(into)]
     for step in re.findall(r"\w[\w-]*|\[[^]]*\]", key):
         found = [inner for kind in _flat(found) for inner in _children(kind, step)]
-    return [field.encode_name for kind in _flat(found) if isinstance(kind, inspect.StructType) for field in kind.fields]
+    return _flat(found)
 
 
 def _flat(kinds: list[inspect.Type]) -> list[inspect.Type]:

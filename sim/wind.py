@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from planners.errors import InputError
 
+LARGEST = 1e6  # [m/s, deg]: beyond all that blows, and finite
 _WIND = re.compile(r"\s*(\d+\.?\d*|\.\d+)\s*(m/s)?\s*@\s*([-+]?\d+\.?\d*)\s*(deg)?\s*")
 
 
@@ -59,7 +60,10 @@ def parse_wind(text: str, place: str = "wind") -> Wind:
     match = _WIND.fullmatch(text)
     if match is None:
         raise InputError(place, f"{text!r} is not a wind", "write speed@direction as in 10@270, m/s from degrees true")
-    return Wind.blowing_from(float(match[1]), float(match[3]))
+    speed, direction = float(match[1]), float(match[3])
+    if speed > LARGEST or abs(direction) > LARGEST:
+        raise InputError(place, f"{text[:40]!r} is out of range", "write speed@direction as in 10@270")
+    return Wind.blowing_from(speed, direction)
 
 
 def ground_speed_on_course(airspeed: float, course: float, wind: Wind) -> float:

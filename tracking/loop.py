@@ -68,7 +68,8 @@ def follow(
     at = path.project(state.x, state.y, s_to=0.0)
     furthest, gained = at.s, 0.0
     estimate = None if sensors.perfect else Estimate(sensors, period, seed)
-    behind = speed * sensors.latency + 5.0 * sensors.position  # [m] of path that an estimate may lag
+    # Path [m] that an estimate may lag: half as much again as the wind alone gives, for gusts and the inside of curves
+    behind = 1.5 * (speed + conditions.wind.speed) * sensors.latency + 5.0 * sensors.position
     rows = array("d")
     curvature, ended, index = 0.0, "", 0
     while True:
