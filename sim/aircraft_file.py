@@ -53,7 +53,11 @@ class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Altitude loop: times [s], climb and speed [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s."""
+    """Altitude loop: times [s], climb and speed [m/s], `turn_lift` [deg/g], elevator per rad, rad/s and rad s.
+
+    `speed_priority` [1] is the climb rate given up for the airspeed missing: in the lasting wind, beyond
+    `speed_reserve`, or whatever the wind to the slowest of the envelope.
+    """
 
     altitude_time: Positive
     climb_limit: Positive
@@ -69,8 +73,12 @@ class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Throttle(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Airspeed loop: throttle per m/s, per m, per g of load factor above 1, per unit of climb gradient."""
+    """Airspeed loop: throttle per m/s, per m, per g of load factor above 1, per unit of climb gradient.
 
+    `wind_time` [s] is how long a wind must last to count: the airspeed held is that in the mean wind of this time.
+    """
+
+    wind_time: Positive
     gain: float
     integral: float
     turn_power: float

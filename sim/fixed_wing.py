@@ -82,7 +82,7 @@ class FixedWing:
         most = self._aircraft.bank_limit
         bank = max(-most, min(most, wanted))
         self._autopilot.command(
-            -bank, state.channels[0], state.airspeed, command.speed - state.airspeed, state.climb_rate,
+            -bank, state.channels[0], command.speed, state.airspeed, state.climb_rate,
             command.altitude - state.z, self._climbable(command.gradient) * state.ground_speed,
         )  # fmt: skip
         run, blow = self._run, self._blow
