@@ -69,6 +69,7 @@ def _metrics() -> list[str]:
     """Their names, from one metre driven and one flown: what a vehicle measures depends on the vehicle."""
     import numpy as np
 
+    from campaigns.limits import DEFAULT_LIMITS
     from planners.map import Map
     from planners.path import Path
     from tracking.trial import Trial, run_trial
@@ -78,10 +79,15 @@ def _metrics() -> list[str]:
     metrics = {name: metric for trial in trials for name, metric in run_trial(trial).metrics.items()}
     shown = {"rad": "deg", "rad/s": "deg/s", "m/s^2": "m/s^2 or g", "share": "%", "1": ""}
     better = {"lower": "lower is better", "higher": "higher is better", "neither": ""}
-    return [
-        f"{name:<30}{shown.get(metric.unit, metric.unit):<12}{better[metric.better]}".rstrip()
-        for name, metric in metrics.items()
-    ]
+    lines = []
+    for name, metric in metrics.items():
+        line = f"{name:<30}{shown.get(metric.unit, metric.unit):<12}{better[metric.better]:<18}"
+        if limit := DEFAULT_LIMITS.get(name):
+            share = f" or {100 * limit.relative:g} %" if limit.relative else ""
+            scale = 100.0 if metric.unit == "share" else 1.0
+            line += f"may worsen by {scale * limit.absolute:g}{share}"
+        lines.append(line.rstrip())
+    return lines
 
 
 def _summary(documented: object) -> str:

@@ -8,7 +8,6 @@ import sys
 import time
 
 import pytest
-from small_campaigns import AIR, ROAD, run_here, write_campaign
 
 from campaigns.campaign import load_campaign
 from campaigns.cluster import Cluster
@@ -16,6 +15,7 @@ from campaigns.execute import Machines, execute
 from campaigns.ready import make_ready
 from campaigns.workers import WorkerDiedError
 from planners.errors import InputError
+from small_campaigns import AIR, ROAD, run_here, write_campaign
 
 pytest.importorskip("distributed")
 

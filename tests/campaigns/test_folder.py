@@ -6,12 +6,12 @@ import subprocess
 import sys
 
 import pytest
-from small_campaigns import ROAD, run_here, write_campaign
 
 from campaigns.campaign import load_campaign
 from campaigns.folder import opened
 from campaigns.ready import make_ready
 from planners.errors import InputError
+from small_campaigns import ROAD, run_here, write_campaign
 
 FEW = ROAD.replace("trials = 20", "trials = 3")
 # Runs a campaign with a limit on the size of any file, as a full quota has it
@@ -109,9 +109,8 @@ def test_more_trials_go_on_from_those_there_are(tmp_path):
     run_here(file, tmp_path / "out")
     file.write_text(file.read_text().replace("trials = 3", "trials = 5"))
     tried = []
-    from small_campaigns import InThisProcess
-
     from campaigns.execute import execute
+    from small_campaigns import InThisProcess
 
     campaign = load_campaign(str(file))
 

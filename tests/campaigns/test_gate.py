@@ -7,13 +7,13 @@ import shlex
 import msgspec
 import numpy as np
 import pytest
-from small_campaigns import AIR, ROAD, run_here, write_campaign
 
 from campaigns.baseline import read_baseline, read_record, write_baseline
 from campaigns.gate import APPEARED, ERRORS, UNMEASURED, VANISHED, VERDICT, WORSE, check
 from planners.errors import InputError
 from sim import jsbsim_model
 from sim.wind import Wind
+from small_campaigns import AIR, ROAD, run_here, write_campaign
 from tracking.controllers.lqr import Lqr
 from tracking.sensors import Sensors
 

@@ -11,6 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+
 from small_campaigns import run_here, write_campaign
 
 CASES = """
