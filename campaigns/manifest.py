@@ -67,12 +67,21 @@ def check_same(found: Manifest, wanted: Manifest, folder: Path) -> None:
         what = f"schema {found.store_version}.{found.schema_version}"
         raise InputError(str(folder), f"its results have {what}, these {STORE_VERSION}.{SCHEMA_VERSION}", remedy)
     if found.campaign != wanted.campaign:
-        changed = [name for name, one in wanted.cases.items() if found.cases.get(name) != one]
-        gone = [name for name in found.cases if name not in wanted.cases]
-        which = f": {(changed or gone)[0]!r} is not the same" if changed or gone else ""
-        raise InputError(str(folder), f"the campaign or its files have changed since{which}", remedy)
+        raise InputError(str(folder), f"the campaign or its files have changed: {_change(found, wanted)}", remedy)
     if found.code != wanted.code:
         raise InputError(str(folder), "its results are of another version of trackworthy or its libraries", remedy)
+
+
+def _change(found: Manifest, wanted: Manifest) -> str:
+    """What tells two campaigns apart, as far as it is a case."""
+    for name, digest_now in wanted.cases.items():
+        if name not in found.cases:
+            return f"{name!r} is a new case"
+        if found.cases[name] != digest_now:
+            return f"{name!r} is not the same"
+    if gone := next((name for name in found.cases if name not in wanted.cases), None):
+        return f"{gone!r} is not among the cases now"
+    return "its seed, keep_tracks or timeout"
 
 
 def read_manifest(file: Path) -> Manifest | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
 from contextlib import contextmanager
@@ -75,3 +76,16 @@ def run_here(file: Path, folder: Path, fresh: bool = False) -> Finished:
     campaign = load_campaign(str(file))
     machines: Any = InThisProcess()
     return execute(campaign, make_ready(campaign), folder, machines, lambda results, tasks, total: [*results], fresh)
+
+
+def stored(folder: Path) -> int:
+    """How many trials are stored in a results folder, also while it is written to."""
+    if not (folder / "results.sqlite").exists():
+        return 0
+    db = sqlite3.connect(f"file:{folder / 'results.sqlite'}?mode=ro", uri=True)
+    try:
+        return int(db.execute("SELECT count(*) FROM trials").fetchone()[0])
+    except sqlite3.OperationalError:
+        return 0
+    finally:
+        db.close()

@@ -27,6 +27,7 @@ from planners import files
 from planners.path import Path as PlannedPath
 from sample_paths import aircraft_weave, road_weave
 from sim.fixed_wing import STEP
+from small_campaigns import stored
 
 TRUCK, TRUCK_TARGET = 1000, 60.0  # trials, [s]
 AIRCRAFT, AIRCRAFT_FACTOR, AIRCRAFT_EXTRA = 200, 1.3, 10.0  # trials, of bare JSBSim's time on two processors, [s]
@@ -79,7 +80,7 @@ def parallel(folder: Path) -> None:
 def memory(folder: Path) -> None:
     """Growth of all processes together between the first thousand of ten thousand truck trials and the last."""
     seen: list[tuple[int, float]] = []
-    run(folder, TRUCK_CASE.format(trials=MEMORY), 2, lambda pid: seen.append((stored(folder), resident(pid))))
+    run(folder, TRUCK_CASE.format(trials=MEMORY), 2, lambda pid: seen.append((stored(folder / "out"), resident(pid))))
     early = max(size for done, size in seen if 500 <= done <= 1500)
     late = max(size for done, size in seen if done > 1500)
     print(f"{MEMORY} truck trials: {early:.0f} MB at 1,000, at most {late:.0f} MB later, "
@@ -105,17 +106,6 @@ def run(folder: Path, case: str, jobs: int, watch: Callable[[int], None] | None 
     if process.returncode != 0:
         raise SystemExit(f"the campaign ended with exit code {process.returncode}")
     return time.perf_counter() - begun
-
-
-def stored(folder: Path) -> int:
-    """How many trials are stored."""
-    import sqlite3
-
-    try:
-        with sqlite3.connect(f"file:{folder / 'out' / 'results.sqlite'}?mode=ro", uri=True) as db:
-            return int(db.execute("SELECT count(*) FROM trials").fetchone()[0])
-    except sqlite3.Error:
-        return 0
 
 
 def resident(pid: int) -> float:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from small_campaigns import run_here, write_campaign
+from small_campaigns import run_here, stored, write_campaign
 
 CASES = """
 [[case]]
@@ -120,7 +120,7 @@ def test_ctrl_c_stops_cleanly_and_the_same_command_goes_on(reference, tmp_path):
     file, expected = reference
     folder = tmp_path / "stopped"
     process = start(file, folder)
-    while not (folder / "results.sqlite").exists() or not finished(folder):
+    while not stored(folder):
         time.sleep(0.05)
         assert process.poll() is None
     os.kill(process.pid, signal.SIGINT)
@@ -128,20 +128,10 @@ def test_ctrl_c_stops_cleanly_and_the_same_command_goes_on(reference, tmp_path):
     error = (tmp_path / "stderr").read_text()
     assert "the same command goes on" in error
     assert "Traceback" not in error
-    done = finished(folder)
+    done = stored(folder)
     assert 0 < done < len(expected[1])
     finish(file, folder)
     assert results(folder) == expected
-
-
-def finished(folder):
-    db = sqlite3.connect(f"file:{folder / 'results.sqlite'}?mode=ro", uri=True)
-    try:
-        return db.execute("SELECT count(*) FROM trials").fetchone()[0]
-    except sqlite3.OperationalError:
-        return 0
-    finally:
-        db.close()
 
 
 def test_the_folder_alone_can_be_run_again(reference, tmp_path):
