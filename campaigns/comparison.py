@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import bootstrap
+from scipy.stats import bootstrap, ttest_ind
 
 from campaigns.baseline import CaseBaseline
 from campaigns.limits import Limit
@@ -85,9 +85,14 @@ def compare(
 
 
 def _beyond_chance(samples: tuple[Floats, ...], chance: float) -> bool:
-    """Whether the bootstrap interval of the mean difference lies above zero (Efron and Tibshirani 1993, 13.3)."""
+    """Whether the bootstrap interval of the mean difference lies above zero (Efron and Tibshirani 1993, 13.3).
+
+    Of two small samples that interval is too narrow; there Welch's t-test must agree.
+    """
     if min(len(sample) for sample in samples) < 2:
         return True  # a single trial leaves nothing to resample
+    if len(samples) == 2 and not _welch(samples, chance):
+        return False
     resamples = int(min(MOST_RESAMPLES, 2 * TAIL / chance))
     difference = _mean if len(samples) == 1 else _difference
     interval = bootstrap(
@@ -95,6 +100,12 @@ def _beyond_chance(samples: tuple[Floats, ...], chance: float) -> bool:
         rng=np.random.default_rng(0),
     ).confidence_interval  # fmt: skip
     return bool(interval.low > 0.0)
+
+
+def _welch(samples: tuple[Floats, ...], chance: float) -> bool:
+    if all(np.ptp(sample) == 0.0 for sample in samples):
+        return True  # nothing random in either
+    return bool(ttest_ind(*samples, equal_var=False, alternative="greater").pvalue < chance)
 
 
 def _mean(values: Floats, axis: int) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
@@ -16,33 +17,47 @@ _COLUMNS = 112  # characters in a line of the reason
 _NAME, _SMALLEST_NAME = 12.5, 8.5  # [pt]
 
 
-def header_height(outcome: Outcome) -> float:
+@dataclass(frozen=True, slots=True)
+class Head:
+    """What is said above a figure; `good` colours the verdict."""
+
+    name: str
+    good: bool
+    verdict: str
+    setting: str
+    reason: str
+
+
+def head_of(outcome: Outcome, trial: str = "") -> Head:
+    """The head of one run; `trial` says which of several it is."""
+    told = setting(outcome)
+    return Head(
+        outcome.name,
+        outcome.verdict.trackworthy,
+        verdict_words(outcome),
+        f"{trial} · {told}" if trial else told,
+        reason(outcome),
+    )
+
+
+def header_height(head: Head) -> float:
     """The height of the head [in]."""
-    return 0.62 + _LINE * len(_lines(outcome))
+    return 0.62 + _LINE * len(_lines(head))
 
 
-def draw_header(figure: Figure, outcome: Outcome) -> None:
+def draw_header(figure: Figure, head: Head) -> None:
     """Draw the head at the top of `figure`."""
     height = figure.get_size_inches()[1]
-    good = outcome.verdict.trackworthy
     line = 1.0 - 0.22 / height
     badge = figure.text(
-        1.0 - (_RIGHT + 0.06) / WIDTH, line, f"{'✓' if good else '✗'} {verdict_words(outcome)}", color=PAPER,
+        1.0 - (_RIGHT + 0.06) / WIDTH, line, f"{'✓' if head.good else '✗'} {head.verdict}", color=PAPER,
         fontsize=8.5, fontweight="bold", ha="right", va="center",
-        bbox={"boxstyle": "round,pad=0.45", "facecolor": PASS_BADGE if good else FAIL_BADGE, "edgecolor": "none"},
+        bbox={"boxstyle": "round,pad=0.45", "facecolor": PASS_BADGE if head.good else FAIL_BADGE, "edgecolor": "none"},
     )  # fmt: skip
-    _draw_name(
-        figure, " ".join(outcome.name.split()), badge.get_window_extent().x0 / figure.bbox.width - 0.25 / WIDTH, line
-    )
-    figure.text(_LEFT / WIDTH, 1.0 - 0.45 / height, setting(outcome), color=MUTED, fontsize=8.5, va="center")
-    figure.text(
-        _LEFT / WIDTH,
-        1.0 - 0.56 / height,
-        "\n".join(_lines(outcome)),
-        fontsize=8.0,
-        va="top",
-        linespacing=1.35,
-    )
+    room = badge.get_window_extent().x0 / figure.bbox.width - 0.25 / WIDTH
+    _draw_name(figure, " ".join(head.name.split()), room, line)
+    figure.text(_LEFT / WIDTH, 1.0 - 0.45 / height, head.setting, color=MUTED, fontsize=8.5, va="center")
+    figure.text(_LEFT / WIDTH, 1.0 - 0.56 / height, "\n".join(_lines(head)), fontsize=8.0, va="top", linespacing=1.35)
 
 
 def _draw_name(figure: Figure, name: str, room: float, y: float) -> None:
@@ -58,5 +73,5 @@ def _draw_name(figure: Figure, name: str, room: float, y: float) -> None:
         text.set_text(f"{name[: kept // 2]}…{name[-(kept // 2) :]}")
 
 
-def _lines(outcome: Outcome) -> list[str]:
-    return textwrap.wrap(reason(outcome), _COLUMNS, max_lines=4, placeholder=" …")
+def _lines(head: Head) -> list[str]:
+    return textwrap.wrap(head.reason, _COLUMNS, max_lines=4, placeholder=" …")

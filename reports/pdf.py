@@ -1,16 +1,18 @@
-"""The report as a PDF: one page that answers the question, then a page for every case."""
+"""The report as a PDF: one page that answers the question, then a page for every case, two for one of many trials."""
 
 from __future__ import annotations
 
 import json
 import tempfile
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
+from campaigns.summary import CaseResult
 from planners.atomic_file import atomic
 from reports.json_result import Json
 from reports.pdf_case import case_data
+from reports.pdf_rows import counts, summary_rows
+from reports.pdf_trials import trials_data
 from tracking.outcome import Outcome
 
 _TEMPLATE = Path(__file__).with_name("report.typ")
@@ -25,17 +27,17 @@ def write_pdf(
     *,
     subtitle: str = "",
     commands: Sequence[str] = (),
-    errors: Mapping[str, str] | None = None,
+    results: Sequence[CaseResult] = (),
 ) -> None:
     """Write the report on `outcomes` under `title`: the same outcomes give the same bytes.
 
-    `commands` says how to repeat each case, in the order of `outcomes`; it may be shorter. `errors` tells by name of
-    the cases that failed to run, and why. The file appears
-    whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where typst
-    fails.
+    `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
+    its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case. The
+    file appears whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where
+    typst fails.
     """
     with tempfile.TemporaryDirectory(prefix="trackworthy-pdf-") as folder, atomic(file) as temporary:
-        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, errors or {}))
+        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results))
 
 
 def _compiled(
@@ -44,20 +46,23 @@ def _compiled(
     title: str,
     subtitle: str,
     commands: Sequence[str],
-    errors: Mapping[str, str],
+    results: Sequence[CaseResult],
 ) -> bytes:
     import typst
 
     from planners.errors import TrackworthyError
     from reports.track_figure import save_track_figure
 
+    several = {result.case.name: result for result in results if result.case.trials > 1}
+    pages = {outcome.name: number for number, outcome in enumerate(outcomes)}
     cases: list[Json] = []
     for number, outcome in enumerate(outcomes):
-        figure = f"case-{number}.svg"
+        figure, result = f"case-{number}.svg", several.get(outcome.name)
         save_track_figure(outcome, folder / figure, page=True)
-        cases.append(case_data(outcome, figure, commands[number] if number < len(commands) else ""))
-    failed: list[Json] = [{"name": name, "error": error} for name, error in errors.items()]
-    told = {"title": title, "subtitle": subtitle, **_counts(outcomes), "cases": cases, "errors": failed}
+        case = case_data(outcome, figure, commands[number] if number < len(commands) else "")
+        cases.append({**case, "trials": None if result is None else _trials(result, outcome, folder, number)})
+    rows = summary_rows(outcomes, results, pages)
+    told = {"title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases}
     data = json.dumps(told, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
     (folder / "report.json").write_text(data, encoding="utf-8")
@@ -75,15 +80,14 @@ def _compiled(
     return bytes(pdf)
 
 
-def _counts(outcomes: Sequence[Outcome]) -> dict[str, Json]:
-    passed = Counter(outcome.verdict.passed for outcome in outcomes)
-    worthy = Counter(outcome.verdict.trackworthy for outcome in outcomes)
-    return {
-        "passed": passed[True],
-        "failed": passed[False],
-        "worthy": worthy[True],
-        "unworthy": worthy[False],
-    }
+def _trials(result: CaseResult, outcome: Outcome, folder: Path, number: int) -> Json:
+    """The trials of a case, with their picture in `folder` where two or more could be tried."""
+    from reports.trials_figure import save_trials_figure
+
+    figure = f"trials-{number}.svg" if result.statistics.band is not None else ""
+    if figure:
+        save_trials_figure(result, outcome, folder / figure, page=True)
+    return trials_data(result, outcome, figure)
 
 
 def _bundled(data: str) -> bool:

@@ -10,58 +10,56 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
-from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from reports.extent import Extent, around, whole
 from reports.focus import Focus, focus
-from reports.header import draw_header, header_height
+from reports.header import draw_header, head_of, header_height
 from reports.layout import Box, Layout, layout, page_layout
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
 from reports.near_panel import draw_near
 from reports.panels import panels
-from reports.quantity import KILO, number
+from reports.quantity import number
 from reports.series_panel import draw_panel, mark_unreached
-from reports.style import INK, MUTED, ROUND_TICKS, WIDTH, error_colours, new_figure, place, save, style
+from reports.style import INK, MUTED, WIDTH, error_colours, new_figure, place, save, style
+from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.wind_mark import draw_wind
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.axis import Axis
-
-_IN_KM = 3000.0  # [m] a longer axis is labelled in km
-_BROAD, _HIGH = 0.7, 0.3  # [in] between the ticks of an x and of a y axis
 
 
-def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False) -> None:
+def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False, trial: str = "") -> None:
     """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    `page` makes it lower, and leaves name, verdict and reason to the page it stands on. The same outcome
-    gives the same bytes. Raises `InputError` where the folder does not exist.
+    `page` makes it lower, and leaves name, verdict and reason to the page it stands on; `trial` says which trial of its
+    case it is, where there are several. The same outcome gives the same bytes. Raises `InputError` where the folder
+    does not exist.
     """
     with style():
-        save(track_figure(outcome, page), file)
+        save(track_figure(outcome, page, trial), file)
 
 
-def track_figure(outcome: Outcome, page: bool = False) -> Figure:
+def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
     aspect, count = view.width / view.height, len(shown)
-    plan = page_layout(aspect, count) if page else layout(aspect, count, header_height(outcome))
+    head = head_of(outcome, trial)
+    plan = page_layout(aspect, count) if page else layout(aspect, count, header_height(head))
     figure = new_figure(plan.height)
     if not page:
-        draw_header(figure, outcome)
+        draw_header(figure, head)
     _draw_maps(figure, outcome, marked, view, plan)
     _draw_key(figure, outcome, marked, plan)
-    scale, unit = (KILO, "km") if outcome.path.length >= _IN_KM else (1.0, "m")
+    scale, unit = length_unit(outcome.path.length)
     for panel, box, lowest in zip(shown, plan.series, plan.lowest, strict=True):
         axes = _axes(figure, box)
         axes.set_xlim(-0.01 * outcome.path.length, 1.01 * outcome.path.length)
         draw_panel(axes, outcome, panel, marked)
         mark_unreached(axes, outcome)
-        _ticks(axes.yaxis, box.height / _HIGH, 1.0)
-        _ticks(axes.xaxis, box.width / _BROAD, scale)
+        ticks(axes.yaxis, box.height / HIGH)
+        ticks(axes.xaxis, box.width / BROAD, scale)
         axes.tick_params(labelbottom=lowest)
         if lowest:
             axes.set_xlabel(f"distance along the path [{unit}], left is positive")
@@ -71,9 +69,9 @@ def track_figure(outcome: Outcome, page: bool = False) -> Figure:
 def _draw_maps(figure: Figure, outcome: Outcome, marked: Focus | None, view: Extent, plan: Layout) -> None:
     axes, view = _axes(figure, plan.map), view.filled(plan.map.width / plan.map.height)
     draw_map(axes, outcome, view, marked)
-    scale, unit = (KILO, "km") if view.larger >= _IN_KM else (1.0, "m")
-    _ticks(axes.xaxis, plan.map.width / _BROAD, scale)
-    _ticks(axes.yaxis, plan.map.height / _HIGH, scale)
+    scale, unit = length_unit(view.larger)
+    ticks(axes.xaxis, plan.map.width / BROAD, scale)
+    ticks(axes.yaxis, plan.map.height / HIGH, scale)
     axes.set(xlabel=f"east [{unit}]", ylabel=f"north [{unit}]")
     if outcome.conditions.wind.speed > 0.0:
         draw_wind(axes, outcome, view)
@@ -108,12 +106,6 @@ def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layo
         handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
         bbox_to_anchor=(left / WIDTH, 1.0 - top / plan.height),
     )  # fmt: skip
-
-
-def _ticks(axis: Axis, room: float, scale: float) -> None:
-    """At most as many round ticks as `room` says, labelled in `scale` [m]."""
-    axis.set_major_locator(MaxNLocator(nbins=max(2, min(8, int(room))), steps=list(ROUND_TICKS)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / scale, 4)))
 
 
 def _axes(figure: Figure, box: Box) -> Axes:

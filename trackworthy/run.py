@@ -56,9 +56,9 @@ def main(args: argparse.Namespace) -> int:
     machines = Machines(args.jobs or default_jobs(), args.dask)
     try:
         finished = execute(campaign, cases, folder, machines, watched, args.fresh)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, SystemExit) as stop:  # Ctrl-C, or told to by SIGTERM
         tell([f"trackworthy: stopped; the same command goes on from what is stored in {folder}"])
-        return 130
+        return int(stop.code or 0) if isinstance(stop, SystemExit) else 130
     _write(campaign, finished, folder, args.campaign)
     return _answer(finished, folder)
 
@@ -75,32 +75,28 @@ def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
 
 
 def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
-    """The report and its figures: the worst trial of each case."""
-    import dataclasses
-
-    from reports.campaign_words import share_words, spread_words
+    """The report and its figures: of each case the worst trial, and all trials where there are several."""
     from reports.pdf import write_pdf
     from reports.slug import slug
     from reports.track_figure import save_track_figure
+    from reports.trials_figure import save_trials_figure
+    from reports.trials_words import worst_name
 
-    (folder / "figures").mkdir(exist_ok=True)
+    figures = folder / "figures"
+    figures.mkdir(exist_ok=True)
     outcomes, commands = [], []
     for result in finished.results:
         case = result.case
         outcome = finished.outcomes.get(case.name)
         if outcome is None or result.worst is None:
             continue
-        if case.trials > 1:
-            told = "; ".join([share_words(result), *spread_words(result)])
-            note = f"{told}. Shown is the worst, trial {result.worst.trial}"
-            outcome = dataclasses.replace(outcome, notes=(note, *outcome.notes))
-        save_track_figure(outcome, folder / "figures" / f"{result.number}-{slug(case.name)}.png")
+        stem = f"{result.number}-{slug(case.name)}"
+        save_track_figure(outcome, figures / f"{stem}.png", trial=worst_name(result) if case.trials > 1 else "")
+        if result.statistics.band is not None:
+            save_trials_figure(result, outcome, figures / f"{stem}-trials.png")
         outcomes.append(outcome)
         commands.append(replay_command(called, case.name, result.worst.trial))
-    errors = {
-        result.case.name: result.statistics.first_error for result in finished.results if result.statistics.errors
-    }
-    write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, errors=errors)
+    write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, results=finished.results)
 
 
 def replay_command(called: str, case: str, trial: int) -> str:

@@ -1,0 +1,57 @@
+"""The trials of a case as data for the PDF's template: every number already words."""
+
+from __future__ import annotations
+
+from campaigns.summary import CaseResult
+from reports.campaign_words import HEADLINE
+from reports.condition_words import condition_words
+from reports.json_result import Json
+from reports.names import listed
+from reports.quantity import text
+from reports.trials_data import kept
+from reports.trials_words import case_setting, headline_words, verdict_reason, worst_name
+from tracking.metric import Requirement
+from tracking.outcome import Outcome
+
+
+def trials_data(result: CaseResult, outcome: Outcome, figure: str) -> dict[str, Json]:
+    """All trials of a case as `report.typ` reads them; `outcome` is the worst one's, `figure` may be "" for none."""
+    found = result.statistics
+    required = [margin.requirement for margin in outcome.verdict.margins if margin.requirement.metric in found.metrics]
+    others = [name for name in (HEADLINE, "cross_track_max") if name in found.metrics]
+    return {
+        "verdict": result.verdict,
+        "passed": result.passed,
+        "setting": case_setting(result, outcome),
+        "reason": verdict_reason(result),
+        "headline": headline_words(result),
+        "spread": f"bias {text(found.bias, 'm', 2)}, spread {text(found.spread, 'm', 2)} over the whole path",
+        "worst": worst_name(result),
+        "conditions": list(condition_words(result.case.conditions)),
+        "figure": figure,
+        "metrics": [
+            *(_required(result, requirement) for requirement in required),
+            *(_row(result, name) for name in others if name not in {one.metric for one in required}),
+        ],
+    }
+
+
+def _required(result: CaseResult, requirement: Requirement) -> dict[str, Json]:
+    found, name = result.statistics, requirement.metric
+    unit, count = result.units[name][0], kept(result.statistics, requirement)
+    limit = f"{'≤' if requirement.comparison == '<=' else '≥'} {text(requirement.limit, unit)}"
+    return {**_row(result, name), "limit": limit, "kept": f"{count} of {found.tried}", "met": count == found.tried}
+
+
+def _row(result: CaseResult, name: str) -> dict[str, Json]:
+    one, unit = result.statistics.metrics[name], result.units[name][0]
+    return {
+        "words": listed(name),
+        "median": text(one.median, unit),
+        "p95": text(one.p95, unit),
+        "worst": text(one.worst, unit),
+        "trial": str(one.worst_trial),
+        "limit": "",
+        "kept": "",
+        "met": None,
+    }
