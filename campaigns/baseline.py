@@ -61,7 +61,7 @@ class Record:
 
 def read_record(folder: Path) -> Record:
     """The results in `folder`; raises `InputError` where there are none, or not all."""
-    if read_manifest(folder / "manifest.json") is None or not (folder / RESOLVED).exists():
+    if not (folder / RESOLVED).exists() or read_manifest(folder / "manifest.json") is None:
         raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
     campaign = load_campaign(str(folder / RESOLVED))
     store = Store(folder / "results.sqlite", read_only=True)

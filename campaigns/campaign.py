@@ -75,6 +75,9 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
     if not cases:
         raise InputError(str(file), "it has no cases", "add a [[case]] with path and vehicle")
     names = [case.name for case in cases]
+    for name in (content.name, *names):
+        if not name.isprintable() or not name.strip():
+            raise InputError(str(file), f"{name!r} is no name", "use letters, digits, spaces")
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(str(file), f"two cases are called {twice!r}", "give one of their blocks another name")
     if unknown := next((name for name in only if name not in names), None):

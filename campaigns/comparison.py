@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import bootstrap, ttest_ind
+from scipy.stats import bootstrap, fisher_exact
+from scipy.stats import t as student
 
 from campaigns.baseline import CaseBaseline
 from campaigns.limits import Limit
@@ -84,10 +85,20 @@ def compare(
     )
 
 
+def flipped(old: CaseBaseline, new: CaseBaseline, chance: float) -> bool:
+    """Whether a verdict that differs says anything: with the same seeds or one trial it does; otherwise Fisher's exact
+    test on the shares of trackworthy trials decides.
+    """
+    if set(old.seeds) & set(new.seeds) or min(len(old.seeds), len(new.seeds)) < 2:
+        return True
+    table = [[case.trackworthy, len(case.seeds) - case.trackworthy] for case in (old, new)]
+    return bool(fisher_exact(table).pvalue < chance)
+
+
 def _beyond_chance(samples: tuple[Floats, ...], chance: float) -> bool:
     """Whether the bootstrap interval of the mean difference lies above zero (Efron and Tibshirani 1993, 13.3).
 
-    Of two small samples that interval is too narrow; there Welch's t-test must agree.
+    Of two small samples that interval is too narrow; there Welch's t-test (1947) must agree.
     """
     if min(len(sample) for sample in samples) < 2:
         return True  # a single trial leaves nothing to resample
@@ -103,9 +114,13 @@ def _beyond_chance(samples: tuple[Floats, ...], chance: float) -> bool:
 
 
 def _welch(samples: tuple[Floats, ...], chance: float) -> bool:
-    if all(np.ptp(sample) == 0.0 for sample in samples):
+    after, before = samples
+    squares = [sample.var(ddof=1) / len(sample) for sample in samples]
+    total = sum(squares)
+    if total == 0.0:
         return True  # nothing random in either
-    return bool(ttest_ind(*samples, equal_var=False, alternative="greater").pvalue < chance)
+    freedom = total**2 / sum(square**2 / (len(one) - 1) for square, one in zip(squares, samples, strict=True))
+    return bool(student.sf((after.mean() - before.mean()) / np.sqrt(total), freedom) < chance)
 
 
 def _mean(values: Floats, axis: int) -> Floats:

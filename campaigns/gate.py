@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from campaigns.baseline import Baseline, Record
-from campaigns.comparison import Comparison, compare
+from campaigns.comparison import Comparison, compare, flipped
 from campaigns.limits import DEFAULT_LIMITS
 from campaigns.resolved import RESOLVED
 
@@ -98,7 +98,7 @@ def _changes(record: Record, old: Baseline) -> Iterator[Finding]:
         if after.errors > before.errors:
             told = f"{after.errors} of {after.trials} trials failed to run, {before.errors} did before"
             yield Finding(ERRORS, name, f"{told}: {result.statistics.first_error}")
-        elif after.verdict != before.verdict:
+        elif after.verdict != before.verdict and flipped(before, after, FALSE_ALARMS / len(record.results)):
             was, now = (f"{one.verdict} ({one.trackworthy} of {one.trials} trials)" for one in (before, after))
             trial, seed = (result.worst.trial, result.worst.seed) if result.worst else (None, None)
             yield Finding(VERDICT, name, f"was {was}, is {now}", None, trial, seed, _command(record, name, trial))

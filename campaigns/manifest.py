@@ -42,13 +42,12 @@ class Manifest(msgspec.Struct, frozen=True):
 
 def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase]) -> Manifest:
     """What would make the results of `campaign` now."""
-    digests = {ready.case.name: ready.digest for ready in cases}
-    plans = [ready.plan.key for ready in cases if ready.plan]
+    digests = {ready.case.name: digest(ready.digest, ready.plan.key if ready.plan else "") for ready in cases}
     return Manifest(
         name=campaign.name,
         store_version=STORE_VERSION,
         schema_version=SCHEMA_VERSION,
-        campaign=digest(campaign.seed, campaign.keep_tracks, campaign.timeout, list(digests.items()), plans),
+        campaign=digest(campaign.seed, campaign.keep_tracks, list(digests.items())),
         code=fingerprint(),
         versions={"python": platform.python_version(), **_versions()},
         git_revision=_git_revision(),
@@ -74,6 +73,8 @@ def check_same(found: Manifest, wanted: Manifest, folder: Path) -> None:
 
 def _change(found: Manifest, wanted: Manifest) -> str:
     """What tells two campaigns apart, as far as it is a case."""
+    if found.seed != wanted.seed:
+        return "its seed"
     for name, digest_now in wanted.cases.items():
         if name not in found.cases:
             return f"{name!r} is a new case"
@@ -81,7 +82,7 @@ def _change(found: Manifest, wanted: Manifest) -> str:
             return f"{name!r} is not the same"
     if gone := next((name for name in found.cases if name not in wanted.cases), None):
         return f"{gone!r} is not among the cases now"
-    return "its seed, keep_tracks or timeout"
+    return "its keep_tracks"
 
 
 def read_manifest(file: Path) -> Manifest | None:

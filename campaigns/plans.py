@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from dataclasses import dataclass
 from pathlib import Path as FilePath
 
@@ -57,12 +58,20 @@ def plan_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str])
         raise InputError("planner", f"there is no planner {case.planner!r}", "give a command or a python callable")
     programs = [_program(part, campaign.folder / case.planner.folder) for part in _words(case.planner)]
     seed = plan_seed(campaign.seed, case)
-    key = digest(contents, msgspec.structs.replace(case.planner, folder=""), programs, seed)[:16]
+    key = digest(contents, msgspec.structs.replace(case.planner, folder="", timeout=1.0), programs, seed)[:16]
     return Plan(key, case.planner, inputs.scenario, seed, campaign.folder)
 
 
 def outstanding(plans: list[Plan], folder: FilePath) -> list[Plan]:
-    """Those whose path is not in the results `folder` yet, each once."""
+    """Those whose path is not in the results `folder` yet, each once.
+
+    A campaign that lies in a folder of results brings its plans.
+    """
+    for plan in plans:
+        brought = plan.file(plan.folder)
+        if brought.exists() and not plan.file(folder).exists():
+            plan.file(folder).parent.mkdir(exist_ok=True)
+            shutil.copyfile(brought, plan.file(folder))
     return list({plan.key: plan for plan in plans if not plan.file(folder).exists()}.values())
 
 
@@ -88,6 +97,7 @@ def keep(plan: Plan, folder: FilePath, computed: Computed) -> None:
     """Store what a planner gave in the results `folder`."""
     plan.file(folder).parent.mkdir(exist_ok=True)
     log, failed = plan.log(folder), plan.failure(folder)
+    log.unlink(missing_ok=True)
     if computed.printed:
         write_text(log, computed.printed)
     if computed.path is None:

@@ -77,8 +77,6 @@ def _ready(campaign: Campaign, reader: Reader, number: int, given: Case) -> Read
         trial = assemble(given, inputs)
         return replace(ready, trial=trial, notes=trial.notes)
     except InputError as error:
-        if str(error).startswith(given.name):
-            raise
         raise InputError(f"{campaign.file}: case {given.name!r}", str(error)) from error
 
 
@@ -86,7 +84,7 @@ def _deciding(case: Case) -> Case:
     """What of `case` decides a trial: not where its files lie, and not how many trials there are."""
     planner = case.planner
     if isinstance(planner, OutsidePlanner):
-        planner = msgspec.structs.replace(planner, folder="")
+        planner = msgspec.structs.replace(planner, folder="", timeout=1.0)
     return msgspec.structs.replace(
         case,
         path=Path(case.path).name,

@@ -168,6 +168,8 @@ def _run(planner: OutsidePlanner, command: list[str], folder: FilePath, temporar
 
 
 def _why_not_started(program: str, folder: FilePath, error: OSError | ValueError) -> str:
+    if not folder.is_dir():
+        return f"there is no folder {folder} to run in; correct folder"
     here = "/" in program
     if isinstance(error, FileNotFoundError) and here and (folder / program).exists():
         return f"{program} names an interpreter that does not exist; correct its first line"

@@ -36,7 +36,7 @@ def _told(result: CaseResult, outcome: Outcome | None) -> str:
 
 
 def share_words(result: CaseResult) -> str:
-    """ "18 of 20 trials trackworthy (68 to 99 %)": with the 95 % interval of the share."""
+    """ "18 of 20 trials trackworthy (68.3 to 98.8 %)": with the 95 % interval of the share."""
     found = result.statistics
     low, high = found.interval
     return f"{found.trackworthy} of {found.tried} trials trackworthy ({number(100 * low)} to {number(100 * high)} %)"

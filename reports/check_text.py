@@ -11,7 +11,7 @@ from rich.text import Text
 
 from campaigns.comparison import Comparison
 from campaigns.gate import WORSE, Check, Finding
-from reports.quantity import number
+from reports.quantity import counted, number
 
 _MOST_IMPROVED, _DIGITS = 3, 4
 
@@ -29,9 +29,9 @@ def print_check(check: Check, console: Console | None = None) -> None:
     if commands := {finding.command: shown_by(finding) for finding in check.findings if finding.command}:
         console.print()
         for command, what in commands.items():
-            console.print(f"{what}:\n  {command}", soft_wrap=True, markup=False)
+            console.print(f"{what}:\n  {command}", soft_wrap=True, markup=False, emoji=False)
     if check.improved:
-        console.print(f"improved: {improved_words(check)}", soft_wrap=True, markup=False)
+        console.print(f"improved: {improved_words(check)}", soft_wrap=True, markup=False, emoji=False)
     style = "bold red" if check.findings else "bold green"
     console.print(Text(conclusion(check), style=style), soft_wrap=True)
 
@@ -75,24 +75,24 @@ def improved_words(check: Check) -> str:
 
 def conclusion(check: Check) -> str:
     """The answer in one line."""
-    cases = len({one.case for one in check.comparisons})
-    compared = f"{len(check.comparisons)} metrics of {cases} {'case' if cases == 1 else 'cases'} compared"
+    cases = counted(len({one.case for one in check.comparisons}), "case")
+    compared = f"{counted(len(check.comparisons), 'metric')} of {cases} compared"
     if not check.findings:
         return f"AS GOOD AS THE BASELINE  {compared}"
     worse = sum(finding.kind == WORSE for finding in check.findings)
     others = len(check.findings) - worse
     parts = [f"{worse} worse"] if worse else []
-    parts += [f"{others} other {'change' if others == 1 else 'changes'}"] if others else []
-    return f"NOT AS GOOD AS THE BASELINE  {', '.join(parts)}; {compared}"
+    parts += [counted(others, "other change")] if others else []
+    return f"NOT AS THE BASELINE  {', '.join(parts)}; {compared}"
 
 
 def _table(findings: list[Finding]) -> Table:
     title = Text(findings[0].case, style="bold")
-    made = Table(box=box.SIMPLE_HEAD, title=title, title_justify="left", padding=(0, 1, 0, 0), show_edge=False)
+    made = Table(box=box.SIMPLE_HEAD, title=title, title_justify="left", padding=0, pad_edge=False, show_edge=False)
     made.add_column("metric", no_wrap=True)
     for column in ("was", "is", "worse by", "allowed"):
         made.add_column(column, justify="right", no_wrap=True)
-    made.add_column("")
+    made.add_column("", no_wrap=True)
     made.add_column("trial", justify="right", no_wrap=True, min_width=5)
     for finding in findings:
         one = finding.comparison

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from campaigns.gate import ERRORS, Check, Finding
 from reports.check_text import conclusion, improved_words, shown_by, told, with_unit
 
@@ -22,7 +24,8 @@ def markdown(check: Check) -> str:
         lines += [_row(finding) for finding in check.findings]
         commands = [finding.command for finding in check.findings if finding.command]
         if commands:
-            lines += ["", "Replay the worst trials:", "", "```", *dict.fromkeys(commands), "```"]
+            fence = _fence("\n".join(commands))
+            lines += ["", "Replay the worst trials:", "", fence, *dict.fromkeys(commands), fence]
     if check.improved:
         lines += ["", f"Improved: {_cell(improved_words(check))}"]
     return "\n".join(lines) + "\n"
@@ -50,6 +53,11 @@ def _cell(text: str) -> str:
     for character in "\\`*_<>|[]":
         text = text.replace(character, f"\\{character}")
     return " ".join(text.split())
+
+
+def _fence(text: str) -> str:
+    """A fence that no line of `text` ends: longer than any run of backticks in it."""
+    return "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
 
 
 def _data(text: str) -> str:

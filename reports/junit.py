@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 
-from campaigns.gate import ERRORS, Check, Finding
+from campaigns.gate import ERRORS, UNMEASURED, Check, Finding
 from reports.check_text import told
 
 # XML 1.0 has no control characters but these
@@ -21,7 +21,9 @@ def check_junit(check: Check) -> str:
             _add(test, finding)
     for finding in check.findings:
         if finding.comparison is None:
-            _add(ET.SubElement(suite, "testcase", classname=_clean(finding.case), name=finding.kind), finding)
+            # Of what cannot be measured there may be several in a case, and readers tell tests by their names
+            name = _clean(finding.message) if finding.kind == UNMEASURED else finding.kind
+            _add(ET.SubElement(suite, "testcase", classname=_clean(finding.case), name=name), finding)
     errors = sum(finding.kind == ERRORS for finding in check.findings)
     suite.set("tests", str(len(suite)))
     suite.set("failures", str(len(check.findings) - errors))
@@ -35,7 +37,8 @@ def check_junit(check: Check) -> str:
 def _add(test: ET.Element, finding: Finding) -> None:
     kind = "error" if finding.kind == ERRORS else "failure"
     told_ = _clean(told(finding))
-    ET.SubElement(test, kind, message=told_, type=finding.kind).text = "\n".join(filter(None, (told_, finding.command)))
+    lines = filter(None, (told_, _clean(finding.command)))
+    ET.SubElement(test, kind, message=told_, type=finding.kind).text = "\n".join(lines)
 
 
 def _clean(text: str) -> str:

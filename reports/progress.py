@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from campaigns.attempt import Attempt
 from campaigns.runner import Task
+from reports.quantity import counted, number
 
 EVERY = 10.0  # [s] between plain lines
 
@@ -21,8 +22,8 @@ Results = Iterable[tuple[Task, Attempt]]
 def watched(results: Results, tasks: Sequence[Task], total: int) -> Iterator[Attempt]:
     """Pass the results of `tasks` on, showing how many of `total` trials are done, those of earlier runs included."""
     tally = _Tally(tasks, total)
-    console = Console(stderr=True)
-    yield from _bar(results, tally, console) if console.is_terminal else _lines(results, tally)
+    on_terminal = sys.stderr.isatty()  # not what FORCE_COLOR makes rich believe
+    yield from _bar(results, tally, Console(stderr=True)) if on_terminal else _lines(results, tally)
 
 
 def _bar(results: Results, tally: _Tally, console: Console) -> Iterator[Attempt]:
@@ -65,9 +66,9 @@ class _Tally:
 
     def news(self) -> str:
         finished = sum(left == 0 for left in self._open.values())
-        parts = [f"{finished}/{self._cases} cases", f"{self._rate():.3g} trials/s"]
+        parts = [f"{finished}/{self._cases} cases", f"{number(self._rate())} trials/s"]
         parts += [f"{self._unexpected} not as expected"] if self._unexpected else []
-        parts += [f"{self._errors} errors"] if self._errors else []
+        parts += [counted(self._errors, "error")] if self._errors else []
         return ", ".join(parts)
 
     def seconds_left(self) -> float:

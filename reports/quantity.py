@@ -69,3 +69,8 @@ def number(value: float, digits: int = 3) -> str:
     if "." in shown:
         shown = shown.rstrip("0").rstrip(".")
     return shown.removeprefix("-") if float(shown) == 0.0 else shown.replace("-", "−")
+
+
+def counted(count: int, noun: str) -> str:
+    """A number of things: "1 case", "2 cases"."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -30,6 +30,7 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.baseline import read_baseline, read_record, write_baseline
     from campaigns.gate import check
     from planners.errors import TrackworthyError
+    from reports.quantity import counted
     from trackworthy.streams import tell
 
     file = Path(args.baseline)
@@ -37,7 +38,7 @@ def main(args: argparse.Namespace) -> int:
     if args.update:
         errors = sum(result.statistics.errors for result in record.results)
         write_baseline(record.baseline, file)
-        tell([f"{file}: {len(record.results)} cases are the baseline now"])
+        tell([f"{file}: the baseline is now that of {counted(len(record.results), 'case')}"])
         if errors:
             tell([f"{errors} of its trials failed to run; a baseline should have none"])
         return 0

@@ -16,7 +16,7 @@ def replay_trial(campaign: Campaign, cases: Sequence[ReadyCase], trial: int, fol
     from campaigns.attempt import replay
     from campaigns.execute import planned
     from campaigns.runner import keep_track, tasks_of
-    from planners.errors import InputError
+    from planners.errors import InputError, TrackworthyError
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from trackworthy.streams import chatter_to_stderr, tell
@@ -25,8 +25,13 @@ def replay_trial(campaign: Campaign, cases: Sequence[ReadyCase], trial: int, fol
         raise InputError("--trial", "it is a trial of one case", "name that with --case")
     if not 1 <= trial <= cases[0].case.trials:
         raise InputError("--trial", f"{trial} is no trial of {cases[0].case.name!r}", f"1 to {cases[0].case.trials}")
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(str(folder), f"cannot be written to: {error.strerror}", "give another with -o") from error
     (ready,) = planned(cases, folder)
+    if ready.error:
+        raise TrackworthyError(ready.error)
     task = list(tasks_of(campaign, ready))[trial - 1]
     with chatter_to_stderr():
         outcome = replay(ready.job(), task.seed)

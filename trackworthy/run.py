@@ -65,12 +65,14 @@ def main(args: argparse.Namespace) -> int:
 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
     """Every case with its number of trials."""
+    from reports.quantity import counted
+
     width = max(len(ready.case.name) for ready in cases)
     for ready in cases:
         case, path = ready.case, ready.case.path or f"planned on {ready.case.scenario}"
         what = f"{path}, {case.vehicle}, {case.controller}, {case.speed:.4g} m/s"
         print(f"{case.name:<{width}}  {case.trials:>6}  {what}")
-    print(f"{len(cases)} cases, {campaign.trials} trials")
+    print(f"{counted(len(cases), 'case')}, {counted(campaign.trials, 'trial')}")
     return 0
 
 

@@ -251,3 +251,21 @@ def test_an_unfinished_run_is_not_checked(tmp_path):
 def test_a_folder_without_results_is_one_line(tmp_path):
     with pytest.raises(InputError, match="holds no results; run a campaign first"):
         read_record(tmp_path)
+
+
+def renumbered(case, **changes):
+    """The same case as if it had been run with other seeds."""
+    return msgspec.structs.replace(case, seeds=[seed + 1 for seed in case.seeds], **changes)
+
+
+@pytest.mark.parametrize(("trackworthy", "told"), [(19, False), (16, False), (10, True), (0, True)])
+def test_with_other_seeds_a_verdict_flips_by_more_than_chance(good, baseline, trackworthy, told):
+    """Fisher's exact test, two cases: 20 of 20 against 16 of 20 is p = 0.106, against 10 of 20 p = 0.0004."""
+    road = renumbered(baseline.cases["road"], verdict="not-trackworthy", trackworthy=trackworthy)
+    kinds = [finding.kind for finding in check(changed(good, road=road), baseline).findings]
+    assert kinds == ([VERDICT] if told else [])
+
+
+def test_with_the_same_seeds_every_flip_counts(good, baseline):
+    road = msgspec.structs.replace(baseline.cases["road"], verdict="not-trackworthy", trackworthy=19)
+    assert [finding.kind for finding in check(changed(good, road=road), baseline).findings] == [VERDICT]

@@ -41,7 +41,7 @@ def test_a_good_build_passes_and_a_worse_one_is_stopped(tmp_path):
     assert run(check, tmp_path, **inputs).returncode == 0
     assert "AS GOOD AS THE BASELINE" in (tmp_path / "summary.md").read_text()
 
-    file.write_text(file.read_text().replace("position_noise = 0.01", "position_noise = 0.1"))
+    file.write_text(file.read_text().replace('vehicle = "truck"', 'vehicle = "truck"\ncontroller = "pure-pursuit"'))
     assert run(campaign, tmp_path, **{**inputs, "output": "worse"}).returncode in (0, 1)
     ended = run(check, tmp_path, **{**inputs, "output": "worse"})
     assert ended.returncode == 1
