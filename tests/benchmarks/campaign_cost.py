@@ -80,7 +80,7 @@ def parallel(folder: Path) -> None:
 
 
 def memory(folder: Path) -> None:
-    """Growth of all processes together between the first thousand of ten thousand truck trials and the last thousand."""
+    """Growth of all processes between the first thousand of ten thousand truck trials and the last thousand."""
     seen: list[tuple[int, float]] = []
     run(folder, TRUCK_CASE.format(trials=MEMORY), 2, lambda pid: seen.append((stored(folder / "out"), resident(pid))))
     first = [size for done, size in seen if 500 <= done <= 1500]
