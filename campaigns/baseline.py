@@ -103,6 +103,18 @@ def read_baseline(file: Path) -> Baseline:
     return baseline
 
 
+def check_replaceable(file: Path) -> None:
+    """Raises `InputError` for a file that is there and is no baseline, of whatever version."""
+    if not file.exists():
+        return
+    try:
+        content = json.loads(file.read_bytes())
+    except (OSError, ValueError):
+        content = None
+    if not isinstance(content, dict) or not {"baseline", "cases"} <= content.keys():
+        raise InputError(str(file), "is there and is not a baseline", "give the name of one, or of a new file")
+
+
 def write_baseline(baseline: Baseline, file: Path) -> None:
     """Write `file`, a line a metric, so that a change shows as a few lines of a diff."""
     cases = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import fcntl
 import os
 import shutil
@@ -15,11 +16,13 @@ from campaigns.ready import ReadyCase
 from campaigns.store import Store
 from planners.errors import InputError
 
-# What a run makes; --fresh removes this and nothing else
+# What a run makes; --fresh removes this and nothing else, the manifest last
 MADE = (
-    "campaign.toml", "inputs", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans", "tracks",
-    "figures", "report.pdf", "summary.json", "manifest.json",
+    "campaign.toml", "inputs/*/*", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans/*.csv",
+    "plans/*.log", "plans/*.error", "tracks/*.parquet", "figures/*.png", "report.pdf", "summary.json", "manifest.json",
 )  # fmt: skip
+FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "figures")
+ELSEWHERE = "give another folder with -o"
 
 
 @contextmanager
@@ -37,13 +40,19 @@ def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: 
         _lock(lock, folder)
         manifest, file = manifest_of(campaign, cases), folder / "manifest.json"
         if fresh and file.exists():
+            if campaign.folder.resolve() == folder.resolve():
+                raise InputError(str(folder), "--fresh would remove the campaign that is to be run", ELSEWHERE)
             clear(folder)
         found = read_manifest(file)
         if found is not None:
             check_same(found, manifest, folder)
+        elif foreign := next((path for name in MADE for path in folder.glob(name)), None):
+            raise InputError(
+                str(folder), f"holds {foreign.relative_to(folder)}, and no results of a campaign", ELSEWHERE
+            )
+        write_manifest(manifest, file)
         store = Store(folder / "results.sqlite")
         try:
-            write_manifest(manifest, file)
             yield store
         finally:
             store.close()
@@ -52,12 +61,17 @@ def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: 
 
 
 def clear(folder: Path) -> None:
-    """Remove the results in `folder`, the manifest last; anything else stays."""
+    """Remove the results in `folder`; anything else stays."""
     for name in MADE:
-        if (folder / name).is_dir():
-            shutil.rmtree(folder / name)
-        else:
-            (folder / name).unlink(missing_ok=True)
+        for path in folder.glob(name):
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path)  # what belongs to an input
+            else:
+                path.unlink()
+    for name in FOLDERS:
+        for path in folder.glob(name):
+            with contextlib.suppress(OSError):  # something else is in it
+                path.rmdir()
 
 
 def _lock(lock: int, folder: Path) -> None:

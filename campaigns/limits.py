@@ -71,6 +71,9 @@ DEFAULT_LIMITS = {
 }
 
 
+NO_DIRECTION = ("cross_track_mean", "path_length", "track_length", "length_ratio")  # metrics that cannot get worse
+
+
 def check_names(limits: Iterable[str], place: str) -> None:
     """Raises `InputError` for a metric that cannot get worse, or does not exist."""
     if unknown := next((name for name in limits if name not in DEFAULT_LIMITS), None):

@@ -92,8 +92,8 @@ def read_manifest(file: Path) -> Manifest | None:
     except FileNotFoundError:
         return None
     except (OSError, msgspec.DecodeError) as error:
-        remedy = "give another folder with -o, or start anew with --fresh"
-        raise InputError(str(file), f"is not a manifest of this version ({error})", remedy) from None
+        what = f"is not a manifest of this version ({error})"
+        raise InputError(str(file), what, "give another folder with -o") from None
 
 
 def write_manifest(manifest: Manifest, file: Path) -> None:

@@ -12,16 +12,20 @@ import numpy as np
 from campaigns.case import Case
 from campaigns.conditions import ConditionKeys, WindKeys, draw, known_wind
 from campaigns.inputs import Inputs
+from campaigns.limits import DEFAULT_LIMITS, NO_DIRECTION
 from planners.combine import merge, to_frame
 from planners.corners import Rounded, fly_by
 from planners.errors import InputError
 from planners.in_frame import in_frame_of
 from planners.map import Map
 from planners.path import Path
+from planners.typed_toml import suggestion
 from planners.units import parse_speed, split_quantity
 from sim.vehicle import Limits
 from sim.wind import Wind
+from tracking.controllers import make_controller
 from tracking.feasibility import required_radius
+from tracking.requirements import split_requirement
 from tracking.trial import Trial
 
 FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
@@ -30,6 +34,8 @@ ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as point
 
 def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
     """`case` with every quantity in SI units and every default written out, and notes on where they come from."""
+    make_controller(case.controller)
+    check_metric_names(case.require)
     speed, notes = _speed(case, inputs)
     altitude = _metres(case.altitude, "altitude")
     corridor = _metres(case.corridor, "corridor") or inputs.limits.corridor
@@ -73,6 +79,15 @@ def assemble(case: Case, inputs: Inputs, planned: Path | None = None) -> Trial:
         notes=tuple(notes),
     )
     return seeded(trial, case.conditions, 0)
+
+
+def check_metric_names(requirements: Sequence[str]) -> None:
+    """Raises `InputError` for a requirement that is none, or on a metric that no vehicle has."""
+    known = (*DEFAULT_LIMITS, *NO_DIRECTION)
+    for text in requirements:
+        name, _, _ = split_requirement(text)
+        if name not in known:
+            raise InputError("require", f"there is no metric {name!r}", suggestion(name, known))
 
 
 def seeded(trial: Trial, conditions: ConditionKeys, seed: int) -> Trial:

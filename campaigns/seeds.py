@@ -10,6 +10,7 @@ import msgspec
 from campaigns.case import Case
 from campaigns.conditions import CALM, ConditionKeys
 
+PLAN_SEED_BITS = 31
 SEED_BITS = 53  # so that every reader of JSON holds it exactly
 
 
@@ -28,8 +29,8 @@ def trial_seed(campaign_seed: int, case: Case, trial: int) -> int:
 
 
 def plan_seed(campaign_seed: int, case: Case) -> int:
-    """The seed of a case's planner."""
-    return _seed("plan", campaign_seed, _scenario(case), case.plan_seed)
+    """The seed of a case's planner, which every language's int holds."""
+    return _seed("plan", campaign_seed, _scenario(case), case.plan_seed) >> (SEED_BITS - PLAN_SEED_BITS)
 
 
 def _scenario(case: Case) -> str:

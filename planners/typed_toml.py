@@ -56,7 +56,7 @@ def convert(raw: object, into: type[T], place: str) -> T:
         raise InputError(where, f"{missing[1]!r} is missing", f"add {missing[1]} = ...")
     if wrong := _NO_WORD.fullmatch(what):
         raise InputError(where, f"{wrong[1]!r} is none of its words", suggestion(wrong[1], _literals(into, key)))
-    raise InputError(where, what.replace("`", "").replace("Expected", "expected"))
+    raise InputError(where, what.replace("`", "").replace("Expected", "expected").replace("object", "table"))
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:

@@ -51,12 +51,7 @@ def with_user_requirements(
 
 def parse_requirement(text: str, metrics: dict[str, Metric]) -> Requirement:
     """A requirement from `metric<=limit[unit]`; angles are in degrees unless they say `rad`."""
-    match = _REQUIREMENT.fullmatch(text)
-    if match is None:
-        raise InputError(
-            "require", f"{text!r} is not a requirement", "write it as cross_track_p95<=4 or bank_max<=40deg"
-        )
-    name, comparison, limit = match.groups()
+    name, comparison, limit = split_requirement(text)
     if name not in metrics:
         raise InputError("require", f"there is no metric {name!r} here", f"there are {', '.join(metrics)}")
     value, unit = split_quantity(limit, "require")
@@ -64,3 +59,13 @@ def parse_requirement(text: str, metrics: dict[str, Metric]) -> Requirement:
     if unit not in units:
         raise InputError("require", f"{text!r} has the wrong unit", f"use one of {', '.join(filter(None, units))}")
     return Requirement(name, comparison, value * units[unit], "set by the user")
+
+
+def split_requirement(text: str) -> tuple[str, str, str]:
+    """Metric, comparison and limit as written; raises `InputError` for what is no requirement."""
+    match = _REQUIREMENT.fullmatch(text)
+    if match is None:
+        raise InputError(
+            "require", f"{text!r} is not a requirement", "write it as cross_track_p95<=4 or bank_max<=40deg"
+        )
+    return match[1], match[2], match[3]

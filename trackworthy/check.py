@@ -27,20 +27,21 @@ def add_parser(commands: Any) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Compare, tell, and answer with the exit code."""
-    from campaigns.baseline import read_baseline, read_record, write_baseline
+    from campaigns.baseline import check_replaceable, read_baseline, read_record, write_baseline
     from campaigns.gate import check
-    from planners.errors import TrackworthyError
+    from planners.errors import InputError, TrackworthyError
     from reports.quantity import counted
     from trackworthy.streams import tell
 
     file = Path(args.baseline)
     record = read_record(Path(args.folder))
     if args.update:
-        errors = sum(result.statistics.errors for result in record.results)
+        check_replaceable(file)
+        if failed := next((result for result in record.results if result.statistics.errors), None):
+            what = f"trials of {failed.case.name!r} failed to run ({failed.statistics.first_error})"
+            raise InputError(args.folder, what, "a baseline is of results without errors")
         write_baseline(record.baseline, file)
         tell([f"{file}: the baseline is now that of {counted(len(record.results), 'case')}"])
-        if errors:
-            tell([f"{errors} of its trials failed to run; a baseline should have none"])
         return 0
     found = check(record, read_baseline(file))
     _show(found, args.format)

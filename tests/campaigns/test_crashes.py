@@ -19,7 +19,7 @@ import campaigns.workers
 from sim.truck import Truck
 from trackworthy.__main__ import main
 
-campaigns.workers.START_UP = 20.0
+campaigns.workers.START_UP = 10.0
 sound = Truck.reset
 
 def reset(self, pose, speed, conditions, seed):

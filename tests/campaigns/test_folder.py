@@ -95,13 +95,39 @@ def test_fresh_removes_what_a_run_made_and_nothing_else(tmp_path):
     assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
 
 
-def test_fresh_leaves_a_folder_alone_that_holds_no_results(tmp_path):
+@pytest.mark.parametrize("mine", ["figures/mine.png", "summary.json", "report.pdf", "campaign.toml", "results.sqlite"])
+@pytest.mark.parametrize("fresh", [False, True])
+def test_a_folder_with_files_that_a_run_would_overwrite_is_refused(tmp_path, mine, fresh):
     file = write_campaign(tmp_path, FEW)
-    (tmp_path / "out" / "figures").mkdir(parents=True)
-    (tmp_path / "out" / "figures" / "mine.png").write_text("mine")
+    (tmp_path / "out" / mine).parent.mkdir(parents=True)
+    (tmp_path / "out" / mine).write_text("mine")
+    with (
+        pytest.raises(InputError, match=f"holds {mine}, and no results .*; give another folder with -o"),
+        enter(file, tmp_path / "out", fresh),
+    ):
+        pass
+    assert (tmp_path / "out" / mine).read_text() == "mine"
+
+
+def test_fresh_leaves_what_users_put_among_the_results(tmp_path):
+    file = write_campaign(tmp_path, FEW)
+    run_here(file, tmp_path / "out")
+    for folder in ("tracks", "inputs"):
+        (tmp_path / "out" / folder / "mine.txt").write_text("mine")
     with enter(file, tmp_path / "out", fresh=True):
         pass
-    assert (tmp_path / "out" / "figures" / "mine.png").exists()
+    left = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*") if path.is_file()}
+    assert {"tracks/mine.txt", "inputs/mine.txt"} <= left
+    assert not any(path.endswith(".parquet") for path in left)
+
+
+def test_fresh_does_not_remove_the_campaign_that_is_to_be_run(tmp_path):
+    run_here(write_campaign(tmp_path, FEW), tmp_path / "out")
+    resolved = tmp_path / "out" / "campaign.toml"
+    before = resolved.read_bytes()
+    with pytest.raises(InputError, match="--fresh would remove the campaign"), enter(resolved, tmp_path / "out", True):
+        pass
+    assert resolved.read_bytes() == before
 
 
 def test_more_trials_go_on_from_those_there_are(tmp_path):

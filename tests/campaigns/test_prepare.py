@@ -77,3 +77,18 @@ def test_fly_by_reports_each_corner(tmp_path):
     assert len(notes) == 1
     assert "corner at 3.00 km, 90 deg: rounded with a radius of 370 m, cut by 153.3 m" in notes[0]
     assert len(ready.path.points) > 10
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        ({"controller": "stanly"}, "there is no controller 'stanly'"),
+        ({"require": ("cros_track_p95<=2",)}, "there is no metric 'cros_track_p95'; did you mean 'cross_track_p95'?"),
+        ({"require": ("bank_max",)}, "'bank_max' is not a requirement"),
+    ],
+)
+def test_a_wrong_name_is_found_before_the_run(tmp_path, settings, told):
+    files.write(Path([[0.0, 0.0], [3000.0, 0.0]]), tmp_path / "line.csv")
+    with pytest.raises(InputError) as refused:
+        prepare(tmp_path, "line.csv", **settings)
+    assert told in str(refused.value)

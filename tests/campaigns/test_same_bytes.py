@@ -82,8 +82,8 @@ def children(pid):
     return [one for one, line in lines.items() if b"spawn_main" in line]
 
 
-@pytest.mark.parametrize("options", [("-j", "1"), ("-j", "2")])
-def test_one_worker_or_two(reference, tmp_path, options):
+@pytest.mark.parametrize("options", [("-j", "2")])
+def test_two_workers(reference, tmp_path, options):
     file, expected = reference
     finish(file, tmp_path / "out", *options)
     assert results(tmp_path / "out") == expected

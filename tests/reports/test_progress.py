@@ -88,9 +88,9 @@ def test_earlier_trials_count_as_done_but_not_for_the_rate(clock, capsys):
     ]
 
 
-def test_with_nothing_to_do_there_is_nothing_to_say(clock, capsys):
+def test_with_nothing_to_do_that_is_said(clock, capsys):
     assert run(clock, [], [], 100) == []
-    assert lines(capsys) == []
+    assert lines(capsys) == ["all 100 trials are done; the report follows"]
 
 
 def test_a_terminal_shows_a_bar_that_leaves_nothing_behind(clock, monkeypatch):

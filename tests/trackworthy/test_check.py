@@ -118,11 +118,21 @@ def test_more_errors_than_before_are_exit_code_3(broken, baseline, check):
     assert out.splitlines()[0] == f"errors  {NAME}: {told}"
 
 
-def test_the_same_errors_as_before_are_not_found_again(broken, check):
-    code, _, err = check(broken, "--baseline", "b.json", "--update")
-    assert code == 0
-    assert "1 of its trials failed to run; a baseline should have none" in err
-    assert check(broken, "--baseline", "b.json")[0] == 0
+def test_results_with_errors_make_no_baseline(broken, check, tmp_path):
+    code, _, err = check(broken, "--baseline", tmp_path / "b.json", "--update")
+    assert code == 2
+    assert "failed to run (" in err
+    assert "a baseline is of results without errors" in err
+    assert not (tmp_path / "b.json").exists()
+
+
+@pytest.mark.parametrize("content", ["x,y\n0,0\n", "[1]", '{"cases": {}}'])
+def test_update_overwrites_nothing_but_a_baseline(good, check, tmp_path, content):
+    (tmp_path / "mine").write_text(content)
+    code, _, err = check(good, "--baseline", tmp_path / "mine", "--update")
+    assert code == 2
+    assert "is there and is not a baseline" in err
+    assert (tmp_path / "mine").read_text() == content
 
 
 def test_a_campaign_with_other_cases_is_exit_code_1(good, baseline, check):

@@ -254,7 +254,7 @@ def test_a_finished_campaign_run_again_tries_nothing(tmp_path, capfd, here):
     again = capfd.readouterr()
     assert here == [8, 0]
     assert again.out == first.out
-    assert again.err == ""
+    assert again.err == "all 8 trials are done; the report follows\n"
     assert (tmp_path / "out" / "summary.json").read_bytes() == summary
 
 
