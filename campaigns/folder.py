@@ -46,6 +46,8 @@ def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: 
         found = read_manifest(file)
         if found is not None:
             check_same(found, manifest, folder)
+        elif campaign.folder.resolve() == folder.resolve():
+            raise InputError(str(folder), "is the folder of the campaign itself", ELSEWHERE)
         elif foreign := next((path for name in MADE for path in folder.glob(name)), None):
             raise InputError(
                 str(folder), f"holds {foreign.relative_to(folder)}, and no results of a campaign", ELSEWHERE

@@ -191,3 +191,9 @@ def test_a_full_disk_is_told_and_loses_nothing_stored(tmp_path):
     assert set(before) <= set(after)
     run_here(file, tmp_path / "whole")
     assert (folder / "summary.json").read_bytes() == (tmp_path / "whole" / "summary.json").read_bytes()
+
+
+def test_the_campaigns_own_folder_is_refused(tmp_path):
+    file = write_campaign(tmp_path, FEW)
+    with pytest.raises(InputError, match="is the folder of the campaign itself; give another"), enter(file, tmp_path):
+        pass
