@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import pickle
 
@@ -56,9 +57,10 @@ class Job(msgspec.Struct, frozen=True):
     pickled: bytes
 
 
-def job_of(digest: str, trial: Trial, conditions: ConditionKeys) -> Job:
+def job_of(trial: Trial, conditions: ConditionKeys) -> Job:
     """`trial`, whose seeds are yet to come, ready to be sent."""
-    return Job(digest, pickle.dumps((trial, conditions), protocol=pickle.HIGHEST_PROTOCOL))
+    pickled = pickle.dumps((trial, conditions), protocol=pickle.HIGHEST_PROTOCOL)
+    return Job(hashlib.sha256(pickled).hexdigest(), pickled)
 
 
 def attempt(job: Job, seed: int, keep: str, labels: dict[str, str]) -> Attempt:

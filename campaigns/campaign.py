@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -87,6 +88,11 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         content.name, content.title or content.name, chosen, file.parent, name_or_file, content.seed,
         content.keep_tracks, content.timeout, limits,
     )  # fmt: skip
+
+
+def replay_command(file: str, case: str, trial: int) -> str:
+    """The command that repeats one trial of the campaign in `file`."""
+    return shlex.join(["trackworthy", "run", file, "--case", case, "--trial", str(trial)])
 
 
 def expanded(block: dict[str, Any], place: str) -> list[Case]:

@@ -14,7 +14,7 @@ from campaigns.folder import opened
 from campaigns.lanes import Lanes
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
-from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials, tasks_of
+from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials
 from campaigns.summary import CaseResult, results_of, write_summary
 from campaigns.workers import Workers
 from tracking.outcome import Outcome
@@ -101,11 +101,9 @@ def _worst(
     first = sorted(results, key=lambda result: (result.passed, result.number))[:SHOWN]
     shown = {result.case.name for result in first}
     tasks = [
-        task
+        Task(ready, worst.trial, worst.seed, ready.key(worst.trial, worst.seed))
         for ready, result in zip(cases, results, strict=True)
-        if result.worst and (campaign.keep_tracks == "worst" or result.case.name in shown)
-        for task in tasks_of(campaign, ready)
-        if task.trial == result.worst.trial
+        if (worst := result.worst) and (campaign.keep_tracks == "worst" or result.case.name in shown)
     ]
     outcomes = {}
     for task, outcome in replay_each(tasks, lanes):

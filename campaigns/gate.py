@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from campaigns.baseline import Baseline, Record
+from campaigns.campaign import replay_command
 from campaigns.comparison import Comparison, compare, flipped
 from campaigns.limits import DEFAULT_LIMITS
 from campaigns.resolved import RESOLVED
@@ -113,6 +113,4 @@ def _worse(record: Record, one: Comparison) -> Finding:
 
 
 def _command(record: Record, case: str, trial: int | None) -> str:
-    if trial is None:
-        return ""
-    return shlex.join(["trackworthy", "run", str(record.folder / RESOLVED), "--case", case, "--trial", str(trial)])
+    return "" if trial is None else replay_command(str(record.folder / RESOLVED), case, trial)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import platform
 import shutil
 import subprocess
@@ -14,7 +13,7 @@ import msgspec
 
 from campaigns.campaign import Campaign
 from campaigns.ready import ReadyCase
-from campaigns.seeds import digest
+from campaigns.seeds import digest, file_digest
 from planners.atomic_file import atomic
 from planners.errors import InputError
 from tracking.metric import SCHEMA_VERSION
@@ -105,7 +104,7 @@ def write_manifest(manifest: Manifest, file: Path) -> None:
 def fingerprint() -> str:
     """A hash of the code and the libraries that decide results."""
     files = [file for folder in OWN for file in sorted((HOME / folder).rglob("*")) if file.suffix in (".py", ".xml")]
-    contents = [(file.relative_to(HOME).as_posix(), hashlib.sha256(file.read_bytes()).hexdigest()) for file in files]
+    contents = [(file.relative_to(HOME).as_posix(), file_digest(file)) for file in files]
     return digest(contents, _versions())
 
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 import shutil
 from dataclasses import dataclass
 from pathlib import Path as FilePath
 
-import msgspec
-
 from campaigns.campaign import Campaign
 from campaigns.case import Case
 from campaigns.inputs import Inputs
-from campaigns.seeds import digest, plan_seed
+from campaigns.seeds import digest, file_digest, plan_seed
 from planners import files
 from planners.errors import InputError, TrackworthyError
 from planners.files.text import write_text
@@ -58,7 +55,7 @@ def plan_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str])
         raise InputError("planner", f"there is no planner {case.planner!r}", "give a command or a python callable")
     programs = [_program(part, campaign.folder / case.planner.folder) for part in _words(case.planner)]
     seed = plan_seed(campaign.seed, case)
-    key = digest(contents, msgspec.structs.replace(case.planner, folder="", timeout=1.0), programs, seed)[:16]
+    key = digest(contents, case.planner.deciding, programs, seed)[:16]
     return Plan(key, case.planner, inputs.scenario, seed, campaign.folder)
 
 
@@ -120,6 +117,6 @@ def _program(word: str, folder: FilePath) -> str:
     """The hash of the file that a word of the command names, so that a changed planner plans anew; "" for no file."""
     file = folder / word
     try:
-        return hashlib.sha256(file.read_bytes()).hexdigest() if file.is_file() else ""
+        return file_digest(file) if file.is_file() else ""
     except OSError:
         return ""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from campaigns.case import Case
 from campaigns.inputs import Inputs, Reader
 from campaigns.plans import Plan, plan_of
 from campaigns.prepare import assemble, settled
-from campaigns.seeds import digest, trial_seed
+from campaigns.seeds import digest, file_digest, trial_seed
 from planners.errors import InputError, TrackworthyError
 from planners.outside import OutsidePlanner
 from sim.aircraft_file import Aircraft
@@ -46,7 +45,7 @@ class ReadyCase:
         """What is sent to workers."""
         if self.trial is None:
             raise TrackworthyError(f"{self.case.name}: there is no path to try")
-        return job_of(digest(self.digest, self.trial.path.points.tolist()), self.trial, self.case.conditions)
+        return job_of(self.trial, self.case.conditions)
 
     def with_path_of(self, folder: Path) -> ReadyCase:
         """With the plan that lies in `folder`, or the reason why it cannot be used."""
@@ -69,7 +68,7 @@ def _ready(campaign: Campaign, reader: Reader, number: int, given: Case) -> Read
     try:
         inputs = reader.read(given)
         case, notes = settled(given, inputs)
-        contents = [_contents(file) for file in _files(campaign.folder, case, inputs)]
+        contents = [file_digest(file) for file in _files(campaign.folder, case, inputs)]
         vehicle = _vehicle_digest(inputs.vehicle)
         ready = ReadyCase(number, case, inputs, digest(SCHEMA_VERSION, _deciding(case), contents, vehicle), notes)
         if case.planner is not None:
@@ -82,15 +81,12 @@ def _ready(campaign: Campaign, reader: Reader, number: int, given: Case) -> Read
 
 def _deciding(case: Case) -> Case:
     """What of `case` decides a trial: not where its files lie, and not how many trials there are."""
-    planner = case.planner
-    if isinstance(planner, OutsidePlanner):
-        planner = msgspec.structs.replace(planner, folder="", timeout=1.0)
     return msgspec.structs.replace(
         case,
         path=Path(case.path).name,
         scenario=case.scenario and Path(case.scenario).name,
         vehicle=Path(case.vehicle).name,
-        planner=planner,
+        planner=case.planner.deciding if isinstance(case.planner, OutsidePlanner) else case.planner,
         trials=1,
         pass_share=1.0,
     )
@@ -111,8 +107,4 @@ def _vehicle_digest(vehicle: str | Aircraft) -> str:
     if isinstance(vehicle, str):
         return vehicle
     files = sorted(file for file in Path(vehicle.root).rglob("*") if file.is_file()) if vehicle.root else []
-    return digest(msgspec.structs.replace(vehicle, root=""), [_contents(file) for file in files])
-
-
-def _contents(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+    return digest(msgspec.structs.replace(vehicle, root=""), [file_digest(file) for file in files])

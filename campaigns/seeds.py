@@ -19,6 +19,11 @@ def digest(*parts: object) -> str:
     return hashlib.sha256(msgspec.json.encode(parts, order="deterministic")).hexdigest()
 
 
+def file_digest(file: Path) -> str:
+    """SHA-256 in hex of what is in a file."""
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
 def trial_seed(campaign_seed: int, case: Case, trial: int) -> int:
     """The seed of a case's trial of that number: the same for every planner, vehicle, speed and controller.
 

@@ -47,7 +47,7 @@ class CaseStatistics:
 
     `values` (T, M) holds every metric of every trial without error, NaN where one could not be measured, in the order
     of `names`; `seeds` and `trials` (T,) tell whose they are. `bias` and `spread` [m] are those of the whole path,
-    `kinds` those of the errors.
+    `kinds` those of the errors. `worst` is the trial that missed by most, or came closest to it.
     """
 
     tried: int
@@ -65,6 +65,7 @@ class CaseStatistics:
     spread: float
     first_error: str
     kinds: frozenset[str]
+    worst: Row | None
 
     @property
     def share(self) -> float:
@@ -80,6 +81,7 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
     worthy = passed = errors = 0
     first_error = ""
     kinds = set()
+    worst: Row | None = None
     for row in rows:
         if row.error:
             errors += 1
@@ -94,6 +96,8 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
         trials.append(row.trial)
         worthy += row.trackworthy
         passed += row.passed
+        if worst is None or _badness(row) < _badness(worst):
+            worst = row
     tried = len(values)
     table = np.array(values).reshape(tried, len(names))
     laid = np.array(profiles, dtype=float).reshape(tried, PIECES)
@@ -118,7 +122,13 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
         spread=float(laid.std()) if tried else 0.0,
         first_error=first_error,
         kinds=frozenset(kinds),
+        worst=worst,
     )
+
+
+def _badness(row: Row) -> tuple[bool, float, int]:
+    """The smaller, the worse: first what is not trackworthy, then by the margin that decides, then the first."""
+    return row.trackworthy, row.score, row.trial
 
 
 def clopper_pearson(successes: int, tries: int) -> tuple[float, float]:

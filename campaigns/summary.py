@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,13 +25,17 @@ Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
 
 @dataclass(frozen=True, slots=True)
 class CaseResult:
-    """A case with its statistics and its worst trial; `units` gives unit and direction of each metric."""
+    """A case with its statistics; `units` gives unit and direction of each metric."""
 
     number: int
     case: Case
     statistics: CaseStatistics
-    worst: Row | None
     units: dict[str, tuple[str, str]]
+
+    @property
+    def worst(self) -> Row | None:
+        """The trial that missed by most, or came closest to it; None where none was measured."""
+        return self.statistics.worst
 
     @property
     def verdict(self) -> str:
@@ -53,14 +57,8 @@ def results_of(cases: Sequence[Case], store: Store) -> list[CaseResult]:
     results = []
     for number, case in enumerate(cases, start=1):
         found = statistics(store.rows(case.name, case.trials), better)
-        results.append(CaseResult(number, case, found, worst_of(store.rows(case.name, case.trials)), units))
+        results.append(CaseResult(number, case, found, units))
     return results
-
-
-def worst_of(rows: Iterable[Row]) -> Row | None:
-    """The trial that missed by most, or came closest to it; the first of several. None where none was measured."""
-    tried = (row for row in rows if not row.error)
-    return min(tried, key=lambda row: (row.trackworthy, row.score, row.trial), default=None)
 
 
 def write_summary(campaign: Campaign, results: Sequence[CaseResult], file: Path) -> None:

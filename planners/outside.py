@@ -75,6 +75,11 @@ class OutsidePlanner(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             _check_python(self.python, self.output)
 
     @property
+    def deciding(self) -> OutsidePlanner:
+        """The same planner, but for what decides no path: where it runs, and how long it may."""
+        return msgspec.structs.replace(self, folder="", timeout=1.0)
+
+    @property
     def label(self) -> str:
         """The planner in messages: its callable or its command, shortened."""
         text = _one_line(self.python or " ".join(self.command or ()))

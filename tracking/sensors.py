@@ -32,7 +32,7 @@ class Sensors:
     @property
     def perfect(self) -> bool:
         """Whether the controller sees the truth."""
-        return self == PERFECT or not (self.position or self.heading or self.speed or self.latency)
+        return not (self.position or self.heading or self.speed or self.latency)
 
 
 PERFECT = Sensors()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -78,6 +77,7 @@ def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
 
 def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
     """The report and its figures: of each case the worst trial, and all trials where there are several."""
+    from campaigns.campaign import replay_command
     from reports.pdf import write_pdf
     from reports.slug import slug
     from reports.track_figure import save_track_figure
@@ -99,11 +99,6 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
         outcomes.append(outcome)
         commands.append(replay_command(called, case.name, result.worst.trial))
     write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, results=finished.results)
-
-
-def replay_command(called: str, case: str, trial: int) -> str:
-    """The command that repeats one trial."""
-    return shlex.join(["trackworthy", "run", called, "--case", case, "--trial", str(trial)])
 
 
 def _answer(finished: Finished, folder: Path) -> int:

@@ -7,7 +7,7 @@ from campaigns.attempt import Measured
 from campaigns.case import Case
 from campaigns.statistics import statistics
 from campaigns.store import Row
-from campaigns.summary import CaseResult, worst_of
+from campaigns.summary import CaseResult
 from reports.campaign_words import case_line, mark, share_words, spread_words
 from reports.words import reason, sentence
 from tracking.profile import PIECES
@@ -26,7 +26,7 @@ def row(trial, good=True, value=0.1, error="", profile=0.0):
 def result_of(rows, **keys):
     case = Case(path="line.csv", vehicle="truck", name="road", trials=len(rows), **keys)
     better = {name: direction for name, (_, direction) in UNITS.items()}
-    return CaseResult(1, case, statistics(rows, better), worst_of(rows), UNITS)
+    return CaseResult(1, case, statistics(rows, better), UNITS)
 
 
 def trials(good, bad):

@@ -12,7 +12,7 @@ from campaigns.conditions import ConditionKeys, WindKeys
 from campaigns.distribution import Distribution
 from campaigns.statistics import statistics
 from campaigns.store import Row
-from campaigns.summary import CaseResult, worst_of
+from campaigns.summary import CaseResult
 from reports.condition_words import condition_words
 from reports.names import listed
 from reports.pdf import write_pdf
@@ -54,7 +54,7 @@ def result_of(outcome, trials=8, bad=1, errors=0, number=1, **case):
     better = {name: metric.better for name, metric in outcome.metrics.items()}
     units = {name: (metric.unit, metric.better) for name, metric in outcome.metrics.items()}
     stated = Case(vehicle=outcome.vehicle, name=outcome.name, trials=trials, speed=outcome.speed, **case)
-    return CaseResult(number, stated, statistics(rows, better), worst_of(rows), units)
+    return CaseResult(number, stated, statistics(rows, better), units)
 
 
 def drawn(result, outcome, page=False):
