@@ -1,0 +1,115 @@
+"""What is told of a plan: the numbers that papers print, and those they lack."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from planners.clearance import clearance
+from planners.exact import Exact
+from planners.footprint import Disc
+from planners.kernel import Floats
+from planners.path import Path
+from planners.planner import History, Plan, Planner
+from planners.scenario import Scenario
+from planners.units import wrap_all
+
+CHECKED = 0.25  # map units between the points at which a path's clearance is taken
+
+
+class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
+    """A plan in numbers: lengths in metres, angles in degrees; None for what it has not.
+
+    `exact_length` is that of the shortest path that keeps the planner's clearance, by visibility graph. Turn angles
+    are taken where the path is drawn, and when it is sampled every 1 and 5 map units. `best`, `mean` and `survivors`
+    are by iteration, `converged` is the first whose best way is within 1 % of the best of all.
+    """
+
+    planner: str
+    scenario: str
+    seed: int
+    map_unit: float
+    outcome: str = ""
+    reason: str = ""
+    notes: tuple[str, ...] = ()
+    length: float | None = None
+    polyline_length: float | None = None
+    exact_length: float | None = None
+    turn_angle_max_deg: float | None = None
+    turn_angle_1_unit_deg: float | None = None
+    turn_angle_5_units_deg: float | None = None
+    smallest_radius: float | None = None
+    clearance_min: float | None = None
+    population: int = 0
+    best: tuple[float | None, ...] = ()
+    mean: tuple[float | None, ...] = ()
+    survivors: tuple[int, ...] = ()
+    converged: int | None = None
+
+    @property
+    def length_ratio(self) -> float | None:
+        """Length over that of the exact shortest path."""
+        return self.length / self.exact_length if self.length and self.exact_length else None
+
+
+def facts_of(plan: Plan, planner: Planner, scenario: Scenario, seed: int) -> PlanFacts:
+    """The facts of the first path of `plan`, or why there is none."""
+    facts = PlanFacts(
+        planner=planner.name, scenario=scenario.name, seed=seed, map_unit=scenario.unit,
+        outcome=plan.outcome, reason=plan.reason, notes=plan.notes,
+    )  # fmt: skip
+    if plan.history is not None:
+        facts = _with_search(facts, plan.history)
+    return _with_path(facts, plan, planner, scenario) if plan.paths else facts
+
+
+def turn_angle(path: Path, spacing: float) -> float:
+    """The largest turn angle [rad] of `path` when it is sampled every `spacing` [m]."""
+    points = path.resample(spacing).xy
+    steps = np.diff(points, axis=0)
+    return float(np.abs(wrap_all(np.diff(np.arctan2(steps[:, 1], steps[:, 0])))).max(initial=0.0))
+
+
+def _with_search(facts: PlanFacts, history: History) -> PlanFacts:
+    return replace(
+        facts,
+        population=history.population,
+        best=_known(history.best),
+        mean=_known(history.mean),
+        survivors=tuple(int(count) for count in history.survivors),
+        converged=history.converged,
+    )
+
+
+def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenario) -> PlanFacts:
+    path = plan.paths[0]
+    points = path.resample(CHECKED * scenario.unit).xy
+    poses = np.column_stack([points, np.zeros(len(points))])
+    room = float(clearance(scenario.map, poses, Disc(0.0)).min())
+    return replace(
+        facts,
+        length=path.length,
+        polyline_length=plan.polylines[0].length if plan.polylines else path.length,
+        exact_length=exact_length(scenario, planner.clearance),
+        turn_angle_max_deg=math.degrees(float(np.abs(path.turns).max())),
+        turn_angle_1_unit_deg=math.degrees(turn_angle(path, scenario.unit)),
+        turn_angle_5_units_deg=math.degrees(turn_angle(path, 5.0 * scenario.unit)),
+        smallest_radius=plan.smallest_radius,
+        clearance_min=room if math.isfinite(room) else None,
+    )
+
+
+# A campaign compares many plans on a handful of maps.
+@lru_cache(maxsize=16)
+def exact_length(scenario: Scenario, clearance: float) -> float | None:
+    """Length [m] of the shortest path that keeps `clearance` [m]; None where there is none."""
+    plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
+    return plan.paths[0].length if plan.paths else None
+
+
+def _known(values: Floats) -> tuple[float | None, ...]:
+    return tuple(float(value) if math.isfinite(value) else None for value in values)
