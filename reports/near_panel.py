@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from matplotlib.ticker import MaxNLocator
-
 from reports.body import draw_body
 from reports.extent import Extent
 from reports.focus import Focus
 from reports.map_panel import draw_map
-from reports.quantity import number
-from reports.style import ROUND_TICKS
+from reports.ticks import ticks_from
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
@@ -33,9 +30,5 @@ def draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None
     )  # fmt: skip
     room = min(axes.bbox.width + _OVERHANG * axes.figure.dpi, axes.figure.bbox.width - axes.bbox.x0)
     label.set_fontsize(max(_SMALLEST_LABEL, _LABEL / max(1.0, label.get_window_extent().width / room)))
-    for axis, zero in ((axes.xaxis, marked.x), (axes.yaxis, marked.y)):
-        low, high = (float(end) - zero for end in axis.get_view_interval())
-        ticks = MaxNLocator(nbins=4, steps=list(ROUND_TICKS)).tick_values(low, high)
-        shown = [float(tick) for tick in ticks if low <= tick <= high]
-        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])
+    ticks_from(axes, marked.x, marked.y)
     axes.set(xlabel="east of it [m]", ylabel="north of it [m]")

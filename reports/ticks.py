@@ -10,6 +10,7 @@ from reports.quantity import KILO, number
 from reports.style import ROUND_TICKS
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
 BROAD, HIGH = 0.7, 0.3  # [in] between the ticks of an x and of a y axis
@@ -25,3 +26,12 @@ def ticks(axis: Axis, room: float, scale: float = 1.0) -> None:
     """At most as many round ticks as `room` says, labelled in `scale` of the axis' unit."""
     axis.set_major_locator(MaxNLocator(nbins=max(2, min(8, int(room))), steps=list(ROUND_TICKS)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / scale, 4)))
+
+
+def ticks_from(axes: Axes, x: float, y: float) -> None:
+    """A few round ticks on both axes, labelled with the distance from `x`, `y`."""
+    for axis, zero in ((axes.xaxis, x), (axes.yaxis, y)):
+        low, high = (float(end) - zero for end in axis.get_view_interval())
+        places = MaxNLocator(nbins=4, steps=list(ROUND_TICKS)).tick_values(low, high)
+        shown = [float(tick) for tick in places if low <= tick <= high]
+        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])

@@ -1,0 +1,139 @@
+"""The picture of plans: the map, each one's sharpest turn from near, and how the searches went on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+from planners.path import Path as PlannedPath
+from planners.planner import Plan
+from planners.scenario import Scenario
+from reports.layout import LEFT, RIGHT, Box
+from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, whole_map
+from reports.plan_search import draw_search
+from reports.plan_turn import draw_exact, draw_lines, draw_turn, turn_view
+from reports.quantity import number, text
+from reports.style import DASHES, INK, MUTED, WIDTH, new_figure, place, save, style
+
+_LABELS, _TITLE, _KEY, _BOTTOM = 0.44, 0.44, 0.26, 0.06  # [in] under and above axes, legend of the map, margin
+_NAME, _LINE = 0.40, 0.19  # [in] of the head, and of each plan in it
+_FULL = WIDTH - LEFT - RIGHT
+_HIGHEST, _LOWEST = 4.8, 2.0  # [in] of the map
+_TURN, _SEARCH = 2.3, 2.3  # [in] height of the rows
+_GAP = 0.8  # [in] between panels side by side
+_MOST_TURNS = 3
+
+
+def save_plan_figure(scenario: Scenario, plans: Mapping[str, Plan], file: str | Path, clearance: float = 0.0) -> None:
+    """Write the picture of `plans`, by name, as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
+
+    The yardstick is the exact shortest path that keeps `clearance` [m]. The same plans give the same bytes. Raises
+    `InputError` where the folder does not exist.
+    """
+    with style():
+        save(plan_figure(scenario, plans, clearance), file)
+
+
+def plan_figure(scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0) -> Figure:
+    """The figure itself; to be called, and saved, within `style.style()`."""
+    colours = colours_of(plans)
+    exact, view = shortest(scenario, clearance), whole_map(scenario)
+    turns = [name for name, plan in plans.items() if plan.paths][:_MOST_TURNS]
+    histories = {name: plan.history for name, plan in plans.items() if plan.history is not None}
+    top = _NAME + _LINE * len(plans) + 0.12
+    world = Box(LEFT, top, _FULL, min(_HIGHEST, max(_LOWEST, _FULL * view.height / view.width)))
+    near, search, bottom = _rows(world.bottom + _LABELS + _KEY + _TITLE, len(turns), bool(histories))
+    figure = new_figure(bottom + _BOTTOM)
+    _draw_head(figure, scenario, plans, colours, exact)
+    view = view.filled(world.width / world.height)
+    axes = place(figure, world.left, world.top, world.width, world.height)
+    draw_ground(axes, scenario, view)
+    label_ground(axes, world, view)
+    draw_exact(axes, exact)
+    for name, plan in plans.items():
+        draw_lines(axes, plan, colours[name])
+    for name, box in zip(turns, near, strict=True):
+        around = turn_view(scenario, plans[name]).filled(box.width / box.height)
+        frame = Rectangle((around.x_min, around.y_min), around.width, around.height)
+        frame.set(facecolor="none", edgecolor=colours[name], linewidth=0.9, zorder=6)
+        axes.add_patch(frame)
+        draw_turn(
+            place(figure, box.left, box.top, box.width, box.height), scenario, plans[name], exact, name, colours[name]
+        )
+    _draw_key(figure, scenario, world, plans, _yardstick(exact, clearance))
+    if search is not None:
+        draw_search(figure, search, histories, colours, exact.length if exact else None)
+    return figure
+
+
+def _rows(top: float, turns: int, searched: bool) -> tuple[list[Box], Box | None, float]:
+    """Boxes of the turns and of the searches from `top` on, and where they end: one turn has the searches beside it."""
+    bottom, beside = top - _TITLE, searched and turns == 1
+    count = turns + 1 if beside else max(1, turns)
+    width = (_FULL - (count - 1) * _GAP) / count
+    if beside:
+        width = _TURN + 0.2
+    near = [Box(LEFT + i * (width + _GAP), top, width, _TURN) for i in range(turns)]
+    if near:
+        bottom = near[0].bottom + _LABELS
+    if not searched:
+        return near, None, bottom
+    if beside:
+        left = LEFT + width + _GAP
+        return near, Box(left, top, WIDTH - RIGHT - left, _TURN), bottom
+    search = Box(LEFT, bottom + _TITLE - 0.1, _FULL, _SEARCH)
+    return near, search, search.bottom + _LABELS
+
+
+def _draw_head(
+    figure: Figure, scenario: Scenario, plans: Mapping[str, Plan], colours: Mapping[str, str], exact: PlannedPath | None
+) -> None:
+    """The scenario's name, and a line about each plan in its colour."""
+    height = figure.get_size_inches()[1]
+    figure.text(0.2 / WIDTH, 1.0 - 0.22 / height, scenario.name, fontsize=12.5, fontweight="bold", va="center")
+    lines = [
+        Line2D([], [], color=colours[name], linewidth=1.8, label=f"{name}: {_told(plan, scenario.unit, exact)}")
+        for name, plan in plans.items()
+    ]
+    figure.legend(
+        handles=lines, loc="upper left", bbox_to_anchor=(0.2 / WIDTH, 1.0 - _NAME / height), borderaxespad=0.0,
+        fontsize=8.5, handlelength=1.4, borderpad=0.0, labelspacing=0.4,
+    )  # fmt: skip
+
+
+def _told(plan: Plan, unit: float, exact: PlannedPath | None) -> str:
+    """Length, also in map units of `unit` [m] and against the exact shortest path; or why there is no path."""
+    if not plan.paths:
+        return f"{plan.outcome}: {plan.reason}"
+    length = plan.paths[0].length
+    told = text(length, "m", 4)
+    if unit != 1.0:
+        told += f" ({number(length / unit, 6)} map units)"
+    if exact is not None:
+        told += f", {number(length / exact.length, 4)} times the exact shortest path"
+    return told
+
+
+def _yardstick(exact: PlannedPath | None, clearance: float) -> str:
+    """What the exact shortest path is called, "" where there is none."""
+    if exact is None:
+        return ""
+    apart = f", {text(clearance, 'm')} clear" if clearance else ""
+    return f"exact shortest{apart}: {text(exact.length, 'm', 4)}"
+
+
+def _draw_key(figure: Figure, scenario: Scenario, world: Box, plans: Mapping[str, Plan], yardstick: str) -> None:
+    """What the marks of the map mean, in a row under it."""
+    entries = ground_entries(scenario)
+    if yardstick:
+        entries.append(Line2D([], [], color=INK, linewidth=0.7, label=yardstick))
+    if any(plan.polylines and plan.smallest_radius is not None for plan in plans.values()):
+        entries.append(Line2D([], [], color=MUTED, linewidth=0.9, linestyle=DASHES, label="before smoothing"))
+    figure.legend(
+        handles=entries, loc="upper left", ncols=len(entries), borderaxespad=0.0, columnspacing=1.6, handletextpad=0.6,
+        bbox_to_anchor=(LEFT / WIDTH, 1.0 - (world.bottom + _LABELS + 0.04) / figure.get_size_inches()[1]),
+    )  # fmt: skip

@@ -1,0 +1,75 @@
+"""The map under a plan: obstacles, start and goal, drawn to scale."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import cycle
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.lines import Line2D
+from shapely import box
+
+from planners.exact import Exact
+from planners.path import Path
+from planners.scenario import Scenario
+from reports.extent import Extent
+from reports.layout import Box
+from reports.obstacle_panel import draw_obstacles
+from reports.style import BLUE, GREEN, GROUND_COLOUR, INK, MUTED, ORANGE, PAPER, PURPLE, VERMILION, Look
+from reports.ticks import BROAD, HIGH, length_unit, ticks
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE)
+_MARGIN = 0.02  # of the larger side, around the map
+_START: Look = {"marker": "o", "label": "start"}
+_GOAL: Look = {"marker": "s", "label": "goal"}
+_PLACE: Look = {
+    "linestyle": "none", "markersize": 6.0, "markerfacecolor": INK, "markeredgecolor": PAPER,
+    "markeredgewidth": 0.8, "zorder": 7,
+}  # fmt: skip
+
+
+def colours_of(names: Iterable[str]) -> dict[str, str]:
+    """A colour for each of several plans in one figure."""
+    return dict(zip(names, cycle(_COLOURS), strict=False))
+
+
+def whole_map(scenario: Scenario) -> Extent:
+    """The map with a little around it."""
+    view = Extent(0.0, 0.0, *scenario.size)
+    return view.grown(_MARGIN * view.larger)
+
+
+def shortest(scenario: Scenario, clearance: float) -> Path | None:
+    """The exact shortest path that keeps `clearance` [m], or None where there is none."""
+    plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
+    return plan.paths[0] if plan.paths else None
+
+
+def draw_ground(axes: Axes, scenario: Scenario, view: Extent) -> None:
+    """Draw what of the map is in `view` on `axes`, whose box must have the view's aspect, without ticks."""
+    axes.set(xlim=(view.x_min, view.x_max), ylim=(view.y_min, view.y_max), facecolor=GROUND_COLOUR)
+    axes.set_aspect("equal", adjustable="box")
+    axes.spines[:].set_visible(True)
+    draw_obstacles(axes, scenario.map, box(view.x_min, view.y_min, view.x_max, view.y_max))
+    axes.plot(*scenario.starts.T, **_START, **_PLACE)
+    axes.plot(*scenario.goals.T, **_GOAL, **_PLACE)
+
+
+def label_ground(axes: Axes, room: Box, view: Extent, east: bool = True, north: bool = True) -> None:
+    """Ticks and labels of a map drawn in `room`, in km where it is large; `east`, `north`: of which axes."""
+    scale, unit = length_unit(view.larger)
+    ticks(axes.xaxis, room.width / BROAD, scale)
+    ticks(axes.yaxis, room.height / HIGH, scale)
+    axes.tick_params(labelbottom=east, labelleft=north)
+    axes.set(xlabel=f"east [{unit}]" if east else "", ylabel=f"north [{unit}]" if north else "")
+
+
+def ground_entries(scenario: Scenario) -> list[Line2D]:
+    """What the marks of `draw_ground` mean, for a legend."""
+    places = [Line2D([], [], **{**_PLACE, **kind}) for kind in (_START, _GOAL)]
+    edge = [Line2D([], [], color=MUTED, linewidth=1.2, label="map edge")] if scenario.map.bounds is not None else []
+    return places + edge

@@ -1,0 +1,98 @@
+"""The sharpest turn of a plan from near: the polyline of the search against the curve that replaces it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+import shapely
+
+from planners.kernel import Floats
+from planners.path import Path
+from planners.planner import Plan
+from planners.scenario import Scenario
+from reports.extent import Extent
+from reports.plan_map import draw_ground
+from reports.quantity import number, text
+from reports.style import DASHES, INK, Look
+from reports.ticks import ticks_from
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_STEPS = 2000  # in which a path is searched for its turns
+_WINDOW = 21  # steps over which a bend is taken, so that the corners of a sampled curve are one turn
+_STRAIGHT = 0.05  # a stretch that bends less than this share of the sharpest bend is between two turns
+_SHARP = 0.8  # turns that bend at least by this share of it are as sharp
+_CUT = 12.0  # how many times what the curve cuts off the corner the view reaches, within these shares of the map
+_NEAREST, _FARTHEST = 0.008, 0.04
+_LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
+
+
+def sharpest(plan: Plan) -> tuple[Floats, float]:
+    """The middle (2,) [m] of the sharpest turn of the first path, and its angle [rad].
+
+    Of a path with corners that is a corner, of one with curves the curve that goes farthest round among the sharpest.
+    """
+    path = plan.paths[0]
+    if plan.smallest_radius is None:
+        corner = int(np.argmax(np.abs(path.turns)))
+        return path.xy[corner], abs(float(path.turns[corner]))
+    fine = path.resample(path.length / _STEPS)
+    bends = np.convolve(fine.turns, np.ones(_WINDOW), "same")
+    sharp = float(np.abs(bends).max())
+    side = np.sign(bends) * (np.abs(bends) > _STRAIGHT * sharp)
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(side)) + 1])
+    angles = np.abs(np.add.reduceat(fine.turns, starts))
+    peaks = np.maximum.reduceat(np.abs(bends), starts)
+    chosen = int(np.argmax(np.where(peaks >= _SHARP * sharp, angles, -1.0)))
+    end = starts[chosen + 1] if chosen + 1 < len(starts) else len(bends)
+    return fine.xy[(starts[chosen] + end) // 2], float(angles[chosen])
+
+
+def turn_view(scenario: Scenario, plan: Plan) -> Extent:
+    """What to show of the sharpest turn of the first path: so much that the corner it cuts can be seen."""
+    path, larger = plan.paths[0], max(scenario.size)
+    place, _ = sharpest(plan)
+    cut = 0.0
+    if plan.polylines:
+        near = path.xy[np.hypot(*(path.xy - place).T) <= _FARTHEST * larger]
+        cut = float(shapely.distance(shapely.points(near), shapely.LineString(plan.polylines[0].xy)).max(initial=0.0))
+    half = min(max(_CUT * cut, _NEAREST * larger), _FARTHEST * larger)
+    return Extent(*place, *place).grown(half)
+
+
+def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Path | None, name: str, colour: str) -> None:
+    """Draw it on `axes` in metres from it; the title has `name`."""
+    width, height = axes.get_window_extent().size
+    view = turn_view(scenario, plan).filled(width / height)
+    draw_ground(axes, scenario, view)
+    draw_exact(axes, exact)
+    draw_lines(axes, plan, colour, corners=True)
+    place, angle = sharpest(plan)
+    radius = plan.smallest_radius
+    how = "with corners" if radius is None else f"smallest radius {text(radius, 'm')}"
+    told = f"{number(math.degrees(angle))}°, {how}" if angle else "it is straight"
+    axes.set_title(f"{name}: sharpest turn", pad=_TITLE_PAD)
+    axes.annotate(
+        told, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
+        textcoords="offset points", va="bottom",
+    )  # fmt: skip
+    ticks_from(axes, *place)
+    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
+
+
+def draw_exact(axes: Axes, exact: Path | None) -> None:
+    """The exact shortest path as the yardstick, where there is one."""
+    if exact is not None:
+        axes.plot(*exact.xy.T, color=INK, linewidth=0.7, zorder=4.0)
+
+
+def draw_lines(axes: Axes, plan: Plan, colour: str, corners: bool = False) -> None:
+    """The plan's paths, and the polylines before smoothing with their `corners`."""
+    for polyline in plan.polylines:
+        dots: Look = {"marker": "o", "markersize": 3.5} if corners else {}
+        axes.plot(*polyline.xy.T, color=colour, linewidth=0.9, linestyle=DASHES, zorder=4.2, **dots)
+    for path in plan.paths:
+        axes.plot(*path.xy.T, color=colour, linewidth=1.8, zorder=4.1)
