@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import inspect
+import re
 from collections.abc import Callable
 from typing import Any
 
 
 def add_parser(commands: Any) -> None:
     """Declare the command's arguments."""
-    parser = commands.add_parser("list", help="list vehicles, controllers, scenarios, campaigns, formats or metrics")
+    parser = commands.add_parser("list", help="list planners, vehicles, controllers, scenarios and more")
     parser.set_defaults(main=main)
-    parser.add_argument("what", nargs="?", choices=tuple(_LISTS), help="left out: everything but metrics")
+    parser.add_argument(
+        "what", nargs="?", choices=tuple(_LISTS), help="left out: everything but metrics and planner-settings"
+    )
 
 
 def main(args: argparse.Namespace) -> int:
@@ -20,9 +24,40 @@ def main(args: argparse.Namespace) -> int:
         print(*_LISTS[args.what](), sep="\n")
         return 0
     for name, lines in _LISTS.items():
-        if name != "metrics":
+        if name not in _LONG:
             print(f"{name}:", *(f"  {line}" for line in lines()), sep="\n")
     return 0
+
+
+def _planners() -> list[str]:
+    from planners.all_planners import ALL_PLANNERS
+
+    return [f"{planner.name:<14}{planner.summary}" for planner in ALL_PLANNERS]
+
+
+def _planner_settings() -> list[str]:
+    """Each planner's settings as `--set` takes them, and what they are."""
+    import msgspec
+
+    from planners.all_planners import ALL_PLANNERS, make_planner
+
+    lines = []
+    for planner in ALL_PLANNERS:
+        settings: dict[str, Any] = msgspec.to_builtins(make_planner(planner.name))
+        lines.append(planner.name)
+        for key, value in settings.items():
+            default = f"{key}, not set" if value is None else f"{key} = {msgspec.json.encode(value).decode()}"
+            lines.append(f"  {default:<32}{_about(key, planner)}".rstrip())
+    return lines
+
+
+def _about(key: str, planner: type) -> str:
+    """What the docstring of the class that has a setting says of it: in a line "key: ...", or a sentence with `key`."""
+    owner = next(kind for kind in planner.__mro__ if key in inspect.get_annotations(kind))
+    parts = re.split(r"\n\s*(?=[a-z_, ]+: )|(?<=\.)\s+(?=[A-Z`])|\n\s*\n", owner.__doc__ or "")
+    lines = [told for keys, _, told in (part.partition(": ") for part in parts) if key in keys.split(", ")]
+    sentences = [part for part in parts if f"`{key}`" in part]
+    return " ".join(" ".join([*lines, *sentences][:1]).split())
 
 
 def _vehicles() -> list[str]:
@@ -95,6 +130,8 @@ def _summary(documented: object) -> str:
 
 
 _LISTS: dict[str, Callable[[], list[str]]] = {
+    "planners": _planners,
+    "planner-settings": _planner_settings,
     "vehicles": _vehicles,
     "controllers": _controllers,
     "scenarios": _scenarios,
@@ -102,3 +139,4 @@ _LISTS: dict[str, Callable[[], list[str]]] = {
     "formats": _formats,
     "metrics": _metrics,
 }
+_LONG = ("metrics", "planner-settings")

@@ -23,6 +23,16 @@ def protect(output: str, *inputs: str) -> None:
             raise InputError(output, "it would overwrite what is read", "give another name")
 
 
+def check_picture(file: str) -> None:
+    """Whether `file` can be a picture; raises `InputError` for another suffix, or a folder that does not exist."""
+    from planners.atomic_file import check_folder
+    from planners.errors import InputError
+
+    if os.path.splitext(file)[1].lower() not in (".png", ".svg"):
+        raise InputError(file, "a picture is a .png or a .svg file", "give it one of these suffixes")
+    check_folder(file)
+
+
 @contextmanager
 def chatter_to_stderr() -> Iterator[None]:
     """Send what simulators print on standard output, from C++ too, to standard error instead."""

@@ -48,14 +48,14 @@ def main(args: argparse.Namespace) -> int:
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from tracking.trial import run_trial
-    from trackworthy.streams import chatter_to_stderr, protect, tell
+    from trackworthy.streams import chatter_to_stderr, check_picture, protect, tell
 
     with chatter_to_stderr():
         case = _case(args)
         trial = assemble(case, Reader(Path()).read(case))
         tell(trial.notes)
         picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
-        _check_picture(picture)
+        check_picture(picture)
         for file in args.export:
             check(trial.path, file)
         for file in (picture, *args.export):
@@ -74,15 +74,6 @@ def main(args: argparse.Namespace) -> int:
         print_outcome(outcome)
     tell(f"saved {file}" for file in (picture, *args.export))
     return 0 if outcome.verdict.passed else 1
-
-
-def _check_picture(file: str) -> None:
-    from planners.atomic_file import check_folder
-    from planners.errors import InputError
-
-    if Path(file).suffix.lower() not in (".png", ".svg"):
-        raise InputError(file, "a picture is a .png or a .svg file", "give it one of these suffixes")
-    check_folder(file)
 
 
 def _case(args: argparse.Namespace) -> Case:

@@ -6,13 +6,14 @@ import pathlib
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from planners.atomic_file import check_folder
 from planners.errors import InputError
 from planners.files import csv_path, geojson, plan, waypoints
 from planners.files.source import PathFile, Source
 from planners.files.text import MAX_FILE_BYTES, MAX_POINTS, read_text, write_text
 from planners.path import Path
 
-__all__ = ["FORMATS", "MAX_FILE_BYTES", "MAX_POINTS", "Format", "PathFile", "read", "write"]
+__all__ = ["FORMATS", "MAX_FILE_BYTES", "MAX_POINTS", "Format", "PathFile", "check", "read", "write"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +55,12 @@ def write(path: Path, file: str | pathlib.Path) -> None:
     """
     form = _format(file)
     write_text(file, form.write(path, str(file)))
+
+
+def check(path: Path, file: str | pathlib.Path) -> None:
+    """Whether `path` could be written to `file`; raises `InputError` as `write` does."""
+    check_folder(file)
+    _format(file).write(path, str(file))
 
 
 def _format(file: str | pathlib.Path) -> Format:
