@@ -17,6 +17,7 @@ from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
 from tracking.profile import error_profile
 from tracking.trial import Trial, run_trial
+from tracking.verdict import NOT_TRACKWORTHY
 
 INPUT, MACHINERY, DIED = "input", "machinery", "died"  # kinds of error; what died may live the next time
 
@@ -33,7 +34,8 @@ class Attempt(msgspec.Struct, frozen=True):
     """What became of a trial: either an `error` of that `kind`, or all the rest.
 
     `score` is the margin of the requirement `decided_by`, relative to its limit: the smaller, the worse. `profile` is
-    the cross-track error along the path (32-bit floats), `track` a Parquet file if it is to be kept.
+    the cross-track error along the path (32-bit floats), empty where there was no path to fly, for the reason in
+    `ended`; `track` a Parquet file if it is to be kept.
     """
 
     seed: int
@@ -70,10 +72,8 @@ def attempt(job: Job, seed: int, keep: str, labels: dict[str, str]) -> Attempt:
     """
     try:
         outcome = replay(job, seed)
-    except TrackworthyError as error:
-        return Attempt(seed, error=str(error), kind=INPUT if isinstance(error, InputError) else MACHINERY)
-    except Exception as error:  # a fault of ours, or of a library: it costs this trial
-        return Attempt(seed, error=f"{type(error).__name__}: {error}", kind=MACHINERY)
+    except Exception as error:  # also a fault of ours, or of a library: it costs this trial
+        return failed(error, seed)
     decisive = outcome.verdict.decisive
     wanted = keep == "all" or (keep == "failures" and not outcome.verdict.passed)
     return Attempt(
@@ -87,6 +87,26 @@ def attempt(job: Job, seed: int, keep: str, labels: dict[str, str]) -> Attempt:
         units={name: (metric.unit, metric.better) for name, metric in outcome.metrics.items()},
         profile=error_profile(outcome).astype(np.float32).tobytes(),
         track=to_parquet(outcome.track, labels) if wanted else None,
+    )
+
+
+def failed(error: Exception, seed: int = 0) -> Attempt:
+    """What becomes of a trial that cannot be tried because of `error`."""
+    if isinstance(error, TrackworthyError):
+        return Attempt(seed, error=str(error), kind=INPUT if isinstance(error, InputError) else MACHINERY)
+    return Attempt(seed, error=f"{type(error).__name__}: {error}", kind=MACHINERY)
+
+
+def without_path(reason: str, expect: str) -> Attempt:
+    """What becomes of a trial whose planner found no path: nothing is flown, and none of the way completed."""
+    return Attempt(
+        0,
+        passed=expect == NOT_TRACKWORTHY,
+        score=-1.0,
+        decided_by="completion",
+        ended=reason,
+        metrics={"completion": Measured(0.0, None, None)},
+        units={"completion": ("share", "higher")},
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
 
@@ -18,12 +18,15 @@ class Case(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True
     """One path, from a file or a planner, under one vehicle, tried `trials` times.
 
     Quantities are as users write them; what is left out is the vehicle's default. The case is trackworthy when at
-    least `pass_share` of its trials are. A `planner` plans once for each `plan_seed`.
+    least `pass_share` of its trials are. A `planner`, one of ours by name with the settings in `set` or one of others,
+    plans once for each `plan_seed`, and with `replan` once for each trial.
     """
 
     path: str = ""
     planner: str | OutsidePlanner | None = None
+    set: dict[str, Any] = {}
     plan_seed: int = 0
+    replan: bool = False
     scenario: str | None = None
     vehicle: str
     name: str = ""

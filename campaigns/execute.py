@@ -15,11 +15,15 @@ from campaigns.lanes import Lanes
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
 from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials
+from campaigns.scale_ready import ReadySearch
+from campaigns.scales import ScaleResult, run_searches
 from campaigns.summary import CaseResult, results_of, write_summary
 from campaigns.workers import Workers
+from planners.outside import OutsidePlanner
 from tracking.outcome import Outcome
 
 PLANNING = 60.0  # [s] for a worker beyond its planner's own time-out
+SCALES = 12  # about as many as a search tries, each as long as a trial may take
 SHOWN = 100  # cases whose worst trial is given whole, those not as expected first
 
 Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable[Attempt]]
@@ -27,10 +31,14 @@ Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable
 
 @dataclass(frozen=True, slots=True)
 class Finished:
-    """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name."""
+    """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name.
+
+    `scales` holds what the searches for the smallest scale found.
+    """
 
     results: list[CaseResult]
     outcomes: dict[str, Outcome]
+    scales: list[ScaleResult]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,31 +74,41 @@ def default_jobs() -> int:
 
 
 def execute(
-    campaign: Campaign, cases: Sequence[ReadyCase], folder: Path, machines: Machines, watch: Watch, fresh: bool = False
+    campaign: Campaign,
+    cases: Sequence[ReadyCase],
+    folder: Path,
+    machines: Machines,
+    watch: Watch,
+    fresh: bool = False,
+    searches: Sequence[ReadySearch] = (),
 ) -> Finished:
     """Run what is missing in `folder`, and sum up.
 
     Raises `InputError` for a folder that cannot be taken, `TrackworthyError` where the disk fails.
     """
-    with opened(folder, campaign, cases, fresh) as store:
-        write_resolved(campaign, cases, folder)
-        cases = planned(cases, folder)
+    with opened(folder, campaign, cases, fresh, searches) as store:
+        write_resolved(campaign, cases, folder, searches)
+        cases = planned(campaign, cases, folder)
         with machines.lanes(campaign.timeout) as lanes:
             tasks = outstanding(campaign, cases, store)
             for _ in watch(run_trials(campaign, tasks, store, folder, lanes), tasks, campaign.trials):
                 pass
             results = results_of([ready.case for ready in cases], store)
             outcomes = _worst(campaign, cases, results, folder, lanes)
-        write_summary(campaign, results, folder / "summary.json")
-        return Finished(results, outcomes)
+        with machines.lanes(SCALES * campaign.timeout) as lanes:
+            scales = run_searches(searches, folder, lanes)
+        write_summary(campaign, results, folder / "summary.json", scales)
+        return Finished(results, outcomes, scales)
 
 
-def planned(cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:
-    """Outside planners run on this machine, where their programs are."""
-    timeouts = [ready.plan.planner.timeout for ready in cases if ready.plan]
-    if not timeouts:
+def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:
+    """Planners run on this machine, where the programs of those of others are; ours take no longer than a trial."""
+    planners = [ready.inputs.planner for ready in cases if ready.plans]
+    if not planners:
         return cases
-    with Machines(default_jobs()).lanes(max(timeouts) + PLANNING) as lanes:
+    outside = [planner.timeout + PLANNING for planner in planners if isinstance(planner, OutsidePlanner)]
+    own = [campaign.timeout] if len(outside) < len(planners) else []
+    with Machines(default_jobs()).lanes(max(*outside, *own, 0.0)) as lanes:
         return plan_all(cases, folder, lanes)
 
 

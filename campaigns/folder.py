@@ -13,20 +13,28 @@ from pathlib import Path
 from campaigns.campaign import Campaign
 from campaigns.manifest import check_same, manifest_of, read_manifest, write_manifest
 from campaigns.ready import ReadyCase
+from campaigns.scale_ready import ReadySearch
 from campaigns.store import Store
 from planners.errors import InputError
 
 # What a run makes; --fresh removes this and nothing else, the manifest last
 MADE = (
     "campaign.toml", "inputs/*/*", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans/*.csv",
-    "plans/*.log", "plans/*.error", "tracks/*.parquet", "figures/*.png", "report.pdf", "summary.json", "manifest.json",
+    "plans/*.json", "plans/*.log", "tracks/*.parquet", "scales/*.json", "figures/*.png", "report.pdf", "summary.json",
+    "manifest.json",
 )  # fmt: skip
-FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "figures")
+FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "scales", "figures")
 ELSEWHERE = "give another folder with -o"
 
 
 @contextmanager
-def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: bool = False) -> Iterator[Store]:
+def opened(
+    folder: Path,
+    campaign: Campaign,
+    cases: Sequence[ReadyCase],
+    fresh: bool = False,
+    searches: Sequence[ReadySearch] = (),
+) -> Iterator[Store]:
     """The store in `folder`, which is made where it does not exist, and locked meanwhile.
 
     Raises `InputError` with the remedy for a folder in use, of another campaign, or that may not be written to.
@@ -38,7 +46,7 @@ def opened(folder: Path, campaign: Campaign, cases: Sequence[ReadyCase], fresh: 
         raise InputError(str(folder), f"cannot be written to: {error.strerror}", "give another with -o") from error
     try:
         _lock(lock, folder)
-        manifest, file = manifest_of(campaign, cases), folder / "manifest.json"
+        manifest, file = manifest_of(campaign, cases, searches), folder / "manifest.json"
         if fresh and file.exists():
             if campaign.folder.resolve() == folder.resolve():
                 raise InputError(str(folder), "--fresh would remove the campaign that is to be run", ELSEWHERE)

@@ -1,4 +1,4 @@
-"""What a case names, read once: its path file, its scenario, its vehicle."""
+"""What a case names, read once: its path file or its planner, its scenario, its vehicle."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ from pathlib import Path as FilePath
 
 from campaigns.case import Case
 from planners import files
+from planners.all_planners import make_planner
 from planners.errors import InputError
 from planners.files import PathFile
+from planners.outside import OutsidePlanner
+from planners.planner import Planner
 from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.vehicle import Limits
@@ -17,9 +20,10 @@ from sim.vehicles import make_vehicle
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """`file` is None where a planner gives the path; `vehicle` is its name, or all that its file says."""
+    """`file` is None where a `planner` gives the path; `vehicle` is its name, or all that its file says."""
 
     file: PathFile | None
+    planner: Planner | OutsidePlanner | None
     scenario: Scenario | None
     vehicle: str | Aircraft
     limits: Limits
@@ -40,11 +44,13 @@ class Reader:
             raise InputError(case.name or "case", "a path or a planner is needed, one of them", "give path = ...")
         if case.planner is not None and case.scenario is None:
             raise InputError(case.name, "a planner needs a scenario", "add scenario = ...")
+        if case.replan and case.planner is None:
+            raise InputError("replan", "a path from a file is not planned", "name a planner, or leave replan out")
         if case.path and case.path not in self._files:
             self._files[case.path] = files.read(self.folder / case.path)
         scenario = self._scenario(case.scenario) if case.scenario else None
         vehicle, limits = self._vehicle(case.vehicle, case.steering_hz)
-        return Inputs(self._files.get(case.path), scenario, vehicle, limits)
+        return Inputs(self._files.get(case.path), _planner(case), scenario, vehicle, limits)
 
     def _scenario(self, name: str) -> Scenario:
         if name not in self._scenarios:
@@ -58,3 +64,12 @@ class Reader:
             vehicle = load_aircraft(str(self.folder / name)) if own_file else name
             self._vehicles[name, steering_hz] = (vehicle, make_vehicle(vehicle, steering_hz).limits)
         return self._vehicles[name, steering_hz]
+
+
+def _planner(case: Case) -> Planner | OutsidePlanner | None:
+    if isinstance(case.planner, str):
+        return make_planner(case.planner, case.set)
+    if case.set:
+        what = "settings are those of a planner of ours"
+        raise InputError("set", what, 'name it, as planner = "exact", or leave set out')
+    return case.planner

@@ -13,6 +13,7 @@ import msgspec
 
 from campaigns.campaign import Campaign
 from campaigns.ready import ReadyCase
+from campaigns.scale_ready import ReadySearch
 from campaigns.seeds import digest, file_digest
 from planners.atomic_file import atomic
 from planners.errors import InputError
@@ -39,9 +40,11 @@ class Manifest(msgspec.Struct, frozen=True):
     cases: dict[str, str]
 
 
-def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase]) -> Manifest:
+def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequence[ReadySearch] = ()) -> Manifest:
     """What would make the results of `campaign` now."""
-    digests = {ready.case.name: digest(ready.digest, ready.plan.key if ready.plan else "") for ready in cases}
+    # Of a plan for each trial the first tells the others, and more trials make no other case
+    digests = {ready.case.name: digest(ready.digest, ready.plans[0].key if ready.plans else "") for ready in cases}
+    digests |= {f"smallest_scale {ready.search.name}": ready.key for ready in searches}
     return Manifest(
         name=campaign.name,
         store_version=STORE_VERSION,

@@ -6,24 +6,30 @@ import shutil
 from dataclasses import dataclass
 from pathlib import Path as FilePath
 
+import msgspec
+
+from campaigns.attempt import MACHINERY, failed
 from campaigns.campaign import Campaign
 from campaigns.case import Case
 from campaigns.inputs import Inputs
 from campaigns.seeds import digest, file_digest, plan_seed
 from planners import files
-from planners.errors import InputError, TrackworthyError
+from planners.all_planners import plan_with
+from planners.errors import InputError
+from planners.facts import PlanFacts, facts_of
 from planners.files.text import write_text
 from planners.outside import OutsidePlanner, PlannerError, plan_outside
 from planners.path import Path
+from planners.planner import Planner
 from planners.scenario import Scenario
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What is to be planned; cases that share the `key` share the path."""
+    """What is to be planned; cases that share the `key` share the path. `folder` is that of the campaign."""
 
     key: str
-    planner: OutsidePlanner
+    planner: Planner | OutsidePlanner
     scenario: Scenario
     seed: int
     folder: FilePath
@@ -32,78 +38,105 @@ class Plan:
         """Where the path lies within the results `folder`."""
         return folder / "plans" / f"{self.key}.csv"
 
+    def facts(self, folder: FilePath) -> FilePath:
+        """Where the facts of a planner of ours lie, written last, also where it found no path."""
+        return folder / "plans" / f"{self.key}.json"
+
     def log(self, folder: FilePath) -> FilePath:
         """Where the end of what the planner printed lies."""
         return folder / "plans" / f"{self.key}.log"
 
-    def failure(self, folder: FilePath) -> FilePath:
-        """Where the reason lies why there is no path."""
-        return folder / "plans" / f"{self.key}.error"
+    def done(self, folder: FilePath) -> bool:
+        """Whether the planner's answer lies in `folder`."""
+        return (self.file if isinstance(self.planner, OutsidePlanner) else self.facts)(folder).exists()
 
-    def load(self, folder: FilePath) -> Path:
-        """The path as it was stored; raises `TrackworthyError` with the planner's own error where it gave none."""
-        failed = self.failure(folder)
-        if failed.exists():
-            raise TrackworthyError(failed.read_text(encoding="utf-8").strip())
+    def load(self, folder: FilePath) -> Path | str:
+        """The path as it was stored, or the reason why there is none."""
+        facts = self.facts(folder)
+        if not self.file(folder).exists() and facts.exists():
+            told = msgspec.json.decode(facts.read_bytes(), type=PlanFacts)
+            return told.reason or told.outcome
         path = files.read(self.file(folder)).path
         return Path(path.points, name=self.scenario.name, frame=self.scenario.map.frame)
 
 
-def plan_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str]) -> Plan:
-    """The plan that `case` needs; `contents` are the hashes of its scenario's files."""
-    if case.planner is None or isinstance(case.planner, str) or inputs.scenario is None:
-        raise InputError("planner", f"there is no planner {case.planner!r}", "give a command or a python callable")
-    programs = [_program(part, campaign.folder / case.planner.folder) for part in _words(case.planner)]
-    seed = plan_seed(campaign.seed, case)
-    key = digest(contents, case.planner.deciding, programs, seed)[:16]
-    return Plan(key, case.planner, inputs.scenario, seed, campaign.folder)
+def plans_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str]) -> tuple[Plan, ...]:
+    """The plan that all trials of `case` share, or one for each; `contents` are the hashes of its scenario's files."""
+    planner = inputs.planner
+    if planner is None or inputs.scenario is None:
+        raise InputError("planner", "it has none, or no scenario", "add planner = ... and scenario = ...")
+    if isinstance(planner, OutsidePlanner):
+        programs = [_program(part, campaign.folder / planner.folder) for part in _words(planner)]
+        deciding: list[object] = [contents, planner.deciding, programs]
+    else:
+        deciding = [contents, planner.name, planner]
+    trials = range(1, case.trials + 1) if case.replan else (None,)
+    seeds = [plan_seed(campaign.seed, case, trial) for trial in trials]
+    return tuple(Plan(digest(*deciding, seed)[:16], planner, inputs.scenario, seed, campaign.folder) for seed in seeds)
 
 
 def outstanding(plans: list[Plan], folder: FilePath) -> list[Plan]:
-    """Those whose path is not in the results `folder` yet, each once.
+    """Those that are not answered in the results `folder` yet, each once.
 
-    A campaign that lies in a folder of results brings its plans.
+    A campaign that lies in a folder of results brings its plans, but for those of planners of ours: they give the same
+    again, unless they have changed.
     """
     for plan in plans:
         brought = plan.file(plan.folder)
-        if brought.exists() and not plan.file(folder).exists():
+        if isinstance(plan.planner, OutsidePlanner) and brought.exists() and not plan.done(folder):
             plan.file(folder).parent.mkdir(exist_ok=True)
             shutil.copyfile(brought, plan.file(folder))
-    return list({plan.key: plan for plan in plans if not plan.file(folder).exists()}.values())
+    return list({plan.key: plan for plan in plans if not plan.done(folder)}.values())
 
 
 @dataclass(frozen=True, slots=True)
 class Computed:
-    """What a planner gave: a `path`, or the `error` in its place; and the end of what it printed."""
+    """What a planner gave: a `path`, with the `facts` of one of ours, or those alone where it found none.
 
-    path: Path | None
+    Or the `error` in their place, of that `kind`; and the end of what it `printed`.
+    """
+
+    path: Path | None = None
+    facts: PlanFacts | None = None
     error: str = ""
+    kind: str = MACHINERY
     printed: str = ""
 
 
 def compute(plan: Plan) -> Computed:
     """Run the planner; what goes wrong is the result."""
+    if isinstance(plan.planner, OutsidePlanner):
+        return _outside(plan, plan.planner)
     try:
-        planned = plan_outside(plan.planner, plan.scenario, plan.seed, plan.folder)
-    except PlannerError as error:
-        return Computed(None, str(error), error.stderr)
-    return Computed(planned.path, printed=planned.stderr)
+        found = plan_with(plan.planner, plan.scenario, plan.seed)
+        facts = facts_of(found, plan.planner, plan.scenario, plan.seed)
+    except Exception as error:  # also a fault of ours: it costs the trials of this plan
+        wrong = failed(error)
+        return Computed(error=f"planner {plan.planner.name}: {wrong.error}", kind=wrong.kind)
+    return Computed(found.paths[0] if found.paths else None, facts)
 
 
 def keep(plan: Plan, folder: FilePath, computed: Computed) -> None:
     """Store what a planner gave in the results `folder`."""
     plan.file(folder).parent.mkdir(exist_ok=True)
-    log, failed = plan.log(folder), plan.failure(folder)
-    log.unlink(missing_ok=True)
+    plan.log(folder).unlink(missing_ok=True)
     if computed.printed:
-        write_text(log, computed.printed)
-    if computed.path is None:
-        where = f"; what it printed is in plans/{log.name}" if computed.printed else ""
-        write_text(failed, f"{computed.error}{where}\n")
-        return
-    failed.unlink(missing_ok=True)
-    # In metres, whatever its frame: the scenario's map says where that is
-    files.write(Path(computed.path.points, name=plan.scenario.name), plan.file(folder))
+        write_text(plan.log(folder), computed.printed)
+    if computed.path is not None:
+        # In metres, whatever its frame: the scenario's map says where that is
+        files.write(Path(computed.path.points, name=plan.scenario.name), plan.file(folder))
+    if computed.facts is not None:
+        text = msgspec.json.format(msgspec.json.encode(computed.facts), indent=2).decode()
+        write_text(plan.facts(folder), f"{text}\n")
+
+
+def _outside(plan: Plan, planner: OutsidePlanner) -> Computed:
+    try:
+        planned = plan_outside(planner, plan.scenario, plan.seed, plan.folder)
+    except PlannerError as error:
+        where = f"; what it printed is in plans/{plan.key}.log" if error.stderr else ""
+        return Computed(error=f"{error}{where}", printed=error.stderr)
+    return Computed(planned.path, printed=planned.stderr)
 
 
 def _words(planner: OutsidePlanner) -> tuple[str, ...]:

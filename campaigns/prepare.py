@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path as FilePath
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -18,6 +19,7 @@ from planners.corners import Rounded, fly_by
 from planners.errors import InputError
 from planners.in_frame import in_frame_of
 from planners.map import Map
+from planners.outside import OutsidePlanner
 from planners.path import Path
 from planners.typed_toml import suggestion
 from planners.units import parse_speed, split_quantity
@@ -40,7 +42,9 @@ def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
     altitude = _metres(case.altitude, "altitude")
     corridor = _metres(case.corridor, "corridor") or inputs.limits.corridor
     name = case.name or FilePath(case.path or case.scenario or "").stem
-    case = msgspec.structs.replace(case, name=name, speed=speed, altitude=altitude, corridor=corridor)
+    case = msgspec.structs.replace(
+        case, name=name, set=_settings(inputs), speed=speed, altitude=altitude, corridor=corridor
+    )
     return case, (*notes, *_idle(case, inputs.limits))
 
 
@@ -94,6 +98,14 @@ def seeded(trial: Trial, conditions: ConditionKeys, seed: int) -> Trial:
     """`trial` in the conditions drawn with `seed`, which also decides all else that is random in it."""
     one = draw(conditions, seed)
     return replace(trial, seed=seed, conditions=one.conditions, offset=one.offset, sensors=one.sensors)
+
+
+def _settings(inputs: Inputs) -> dict[str, Any]:
+    """Those of a planner of ours, every default written out."""
+    if inputs.planner is None or isinstance(inputs.planner, OutsidePlanner):
+        return {}
+    settings = msgspec.to_builtins(inputs.planner)
+    return {key: value for key, value in settings.items() if value is not None}
 
 
 def _number(value: str | float | None) -> float:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import msgspec
 
-from campaigns.attempt import Job, job_of
+from campaigns.attempt import Attempt, Job, failed, job_of, without_path
 from campaigns.campaign import Campaign
 from campaigns.case import Case
 from campaigns.inputs import Inputs, Reader
-from campaigns.plans import Plan, plan_of
+from campaigns.plans import Plan, plans_of
 from campaigns.prepare import assemble, settled
 from campaigns.seeds import digest, file_digest, trial_seed
 from planners.errors import InputError, TrackworthyError
@@ -23,9 +24,10 @@ from tracking.trial import Trial
 
 @dataclass(frozen=True, slots=True)
 class ReadyCase:
-    """A settled `case`. `digest` names all that decides its outcome but the seeds; `plan` is None for a path file.
+    """A settled `case`. `digest` names all that decides its outcome but the seeds.
 
-    Without a path yet, `trial` is None; `error` says why there will be none.
+    `plans` holds one for all trials or one for each, and none where a file gives the path. `flights` holds as many
+    trials whose seeds are yet to come, or what becomes of those that have no path; none before there are plans.
     """
 
     number: int
@@ -33,29 +35,42 @@ class ReadyCase:
     inputs: Inputs
     digest: str
     notes: tuple[str, ...] = ()
-    plan: Plan | None = None
-    trial: Trial | None = None
-    error: str = ""
+    plans: tuple[Plan, ...] = ()
+    flights: tuple[Trial | Attempt, ...] = ()
 
     def key(self, trial: int, seed: int) -> str:
         """The key of the trial of that number."""
         return digest(self.digest, trial, seed)
 
-    def job(self) -> Job:
-        """What is sent to workers."""
-        if self.trial is None:
-            raise TrackworthyError(f"{self.case.name}: there is no path to try")
-        return job_of(self.trial, self.case.conditions)
+    def flight(self, trial: int) -> Trial | Attempt:
+        """That of the trial of that number."""
+        return self.flights[(trial - 1) % len(self.flights)]
 
-    def with_path_of(self, folder: Path) -> ReadyCase:
-        """With the plan that lies in `folder`, or the reason why it cannot be used."""
-        if self.plan is None:
+    def job(self, trial: int) -> Job | Attempt:
+        """What is sent to workers for the trial of that number, or what becomes of it without being tried."""
+        flight = self.flight(trial)
+        return flight if isinstance(flight, Attempt) else job_of(flight, self.case.conditions)
+
+    def only(self, trial: int) -> ReadyCase:
+        """With the plan that the trial of that number needs, and no other."""
+        return replace(self, plans=self.plans[trial - 1 : trial] if len(self.plans) > 1 else self.plans)
+
+    def with_paths_of(self, folder: Path, without: Mapping[str, Attempt]) -> ReadyCase:
+        """With the plans that lie in `folder`; `without` tells by key what becomes of trials whose planner failed."""
+        if not self.plans:
             return self
+        return replace(self, flights=tuple(self._flight(plan, folder, without) for plan in self.plans))
+
+    def _flight(self, plan: Plan, folder: Path, without: Mapping[str, Attempt]) -> Trial | Attempt:
+        if plan.key in without:
+            return without[plan.key]
         try:
-            planned = self.plan.load(folder)
-            return replace(self, trial=assemble(self.case, self.inputs, planned))
+            found = plan.load(folder)
+            if isinstance(found, str):
+                return without_path(found, self.case.expect)
+            return assemble(self.case, self.inputs, found)
         except TrackworthyError as error:
-            return replace(self, error=str(error))
+            return failed(error)
 
 
 def make_ready(campaign: Campaign) -> tuple[ReadyCase, ...]:
@@ -68,13 +83,12 @@ def _ready(campaign: Campaign, reader: Reader, number: int, given: Case) -> Read
     try:
         inputs = reader.read(given)
         case, notes = settled(given, inputs)
-        contents = [file_digest(file) for file in _files(campaign.folder, case, inputs)]
-        vehicle = _vehicle_digest(inputs.vehicle)
-        ready = ReadyCase(number, case, inputs, digest(SCHEMA_VERSION, _deciding(case), contents, vehicle), notes)
+        contents = contents_of(campaign.folder, case, inputs)
+        ready = ReadyCase(number, case, inputs, digest_of(case, inputs, contents), notes)
         if case.planner is not None:
-            return replace(ready, plan=plan_of(case, inputs, campaign, contents))
+            return replace(ready, plans=plans_of(case, inputs, campaign, contents))
         trial = assemble(given, inputs)
-        return replace(ready, trial=trial, notes=trial.notes)
+        return replace(ready, flights=(trial,), notes=trial.notes)
     except InputError as error:
         raise InputError(f"{campaign.file}: case {given.name!r}", str(error)) from error
 
@@ -97,9 +111,15 @@ def seeds_of(campaign: Campaign, case: Case) -> list[int]:
     return [trial_seed(campaign.seed, case, trial) for trial in range(1, case.trials + 1)]
 
 
-def _files(folder: Path, case: Case, inputs: Inputs) -> list[Path]:
-    """What was read for the case, besides its vehicle."""
-    return [*([folder / case.path] if case.path else []), *(inputs.scenario.files if inputs.scenario else ())]
+def contents_of(folder: Path, case: Case, inputs: Inputs) -> list[str]:
+    """Hashes of what was read for the case, besides its vehicle."""
+    files = [*([folder / case.path] if case.path else []), *(inputs.scenario.files if inputs.scenario else ())]
+    return [file_digest(file) for file in files]
+
+
+def digest_of(case: Case, inputs: Inputs, contents: list[str]) -> str:
+    """The hash of all that decides the outcome of a settled case but the seeds."""
+    return digest(SCHEMA_VERSION, _deciding(case), contents, _vehicle_digest(inputs.vehicle))
 
 
 def _vehicle_digest(vehicle: str | Aircraft) -> str:

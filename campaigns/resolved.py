@@ -6,14 +6,17 @@ import os
 import shutil
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 import tomli_w
 
 from campaigns.campaign import Campaign
 from campaigns.case import Case
+from campaigns.inputs import Inputs
 from campaigns.ready import ReadyCase
+from campaigns.scale_ready import ReadySearch
+from campaigns.scale_search import ScaleSearch
 from planners.atomic_file import atomic
 from planners.outside import OutsidePlanner
 from planners.scenario import BUILT_IN_SCENARIOS, Scenario
@@ -21,40 +24,50 @@ from sim.aircraft_file import Aircraft
 
 RESOLVED = "campaign.toml"
 
+T = TypeVar("T", bound=Case | ScaleSearch)
 
-def write_resolved(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> None:
+
+def write_resolved(
+    campaign: Campaign, cases: Sequence[ReadyCase], folder: Path, searches: Sequence[ReadySearch] = ()
+) -> None:
     """Write `campaign.toml`, every default written out, and copy what it names to `inputs`."""
     if campaign.folder.resolve() == folder.resolve():
         return  # it is this very folder that is run again
     copies = _Copies(folder)
     written = []
     for ready in cases:
-        case, inputs = ready.case, ready.inputs
+        case = _copied(ready.case, ready.inputs, campaign.folder, copies)
         if case.path:
             case = msgspec.structs.replace(case, path=copies.file(campaign.folder / case.path))
-        if inputs.scenario is not None and case.scenario not in BUILT_IN_SCENARIOS:
-            case = msgspec.structs.replace(case, scenario=copies.scenario(inputs.scenario))
-        if isinstance(inputs.vehicle, Aircraft):
-            own = copies.aircraft(campaign.folder / case.vehicle, inputs.vehicle)
-            case = msgspec.structs.replace(case, vehicle=own)
         if isinstance(case.planner, OutsidePlanner):
             case = msgspec.structs.replace(case, planner=_in_place(case.planner, campaign.folder))
         written.append(_table(case))
+    scales = [_copied(one.search, one.inputs, campaign.folder, copies) for one in searches]
     content = {
         "name": campaign.name, "title": campaign.title, "seed": campaign.seed, "keep_tracks": campaign.keep_tracks,
         "timeout": campaign.timeout, "check": msgspec.to_builtins(campaign.check), "case": written,
+        "smallest_scale": [_without_none(msgspec.to_builtins(search)) for search in scales],
     }  # fmt: skip
     with atomic(folder / RESOLVED) as temporary:
         temporary.write_text(tomli_w.dumps(content), encoding="utf-8")
 
 
+def _copied(stated: T, inputs: Inputs, folder: Path, copies: _Copies) -> T:
+    """With the names of copies for those of the scenario and the vehicle's file."""
+    if inputs.scenario is not None and stated.scenario not in BUILT_IN_SCENARIOS:
+        stated = msgspec.structs.replace(stated, scenario=copies.scenario(inputs.scenario))
+    if isinstance(inputs.vehicle, Aircraft):
+        stated = msgspec.structs.replace(stated, vehicle=copies.aircraft(folder / stated.vehicle, inputs.vehicle))
+    return stated
+
+
 def _table(case: Case) -> dict[str, Any]:
     """The case as TOML can hold it: without what is None, which is the default wherever it is possible."""
     table: dict[str, Any] = _without_none(msgspec.to_builtins(case))
-    if case.path:
-        table.pop("plan_seed")
-    else:
-        table.pop("path")
+    if not isinstance(case.planner, str):
+        table.pop("set")
+    for key in ("plan_seed", "replan") if case.path else ("path",):
+        table.pop(key)
     return table
 
 

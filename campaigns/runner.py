@@ -7,6 +7,8 @@ from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
+
 from campaigns import plans
 from campaigns.attempt import DIED, MACHINERY, Attempt, Job, attempt, replay
 from campaigns.campaign import Campaign
@@ -19,6 +21,7 @@ from campaigns.workers import WorkerDiedError
 from planners.atomic_file import atomic
 from planners.errors import TrackworthyError
 from tracking.outcome import Outcome
+from tracking.trial import Trial
 
 TRIES = 2  # of a trial whose process died: it may have been killed for something else
 
@@ -44,14 +47,17 @@ def plan_all(cases: Sequence[ReadyCase], folder: Path, lanes: Lanes) -> tuple[Re
     def send(executor: Executor, plan: Plan) -> Future[plans.Computed]:
         return executor.submit(plans.compute, plan)
 
-    missing = plans.outstanding([ready.plan for ready in cases if ready.plan], folder)
+    missing = plans.outstanding([plan for ready in cases for plan in ready.plans], folder)
+    without = {}
     for plan, future in lanes.each(missing, send):
         try:
             computed = future.result()
         except TrackworthyError as error:
-            computed = plans.Computed(None, f"the planner could not be run: {error}")
+            computed = plans.Computed(error=f"the planner could not be run: {error}")
         plans.keep(plan, folder, computed)
-    return tuple(ready.with_path_of(folder) for ready in cases)
+        if computed.error:
+            without[plan.key] = Attempt(0, error=computed.error, kind=computed.kind)
+    return tuple(ready.with_paths_of(folder, without) for ready in cases)
 
 
 def outstanding(campaign: Campaign, cases: Sequence[ReadyCase], store: Store) -> list[Task]:
@@ -88,21 +94,22 @@ def run_trials(
 
 
 class _Sender:
-    """Sends tasks to workers; a case is packed once for all its trials."""
+    """Sends tasks to workers; a plan is packed once for all trials that follow each other on it."""
 
     def __init__(self, keep: str) -> None:
         self._keep = keep
-        self._packed: tuple[int, Job] | None = None
+        self._packed: tuple[Trial | Attempt, Job | Attempt] | None = None
 
     def __call__(self, executor: Executor, task: Task) -> Future[Attempt]:
-        ready = task.ready
-        if ready.error:
-            failed: Future[Attempt] = Future()
-            failed.set_result(Attempt(task.seed, error=ready.error, kind=MACHINERY))
-            return failed
-        if self._packed is None or self._packed[0] != ready.number:
-            self._packed = (ready.number, ready.job())
-        return executor.submit(attempt, self._packed[1], task.seed, self._keep, task.labels)
+        flight = task.ready.flight(task.trial)
+        if self._packed is None or self._packed[0] is not flight:
+            self._packed = (flight, task.ready.job(task.trial))
+        job = self._packed[1]
+        if isinstance(job, Job):
+            return executor.submit(attempt, job, task.seed, self._keep, task.labels)
+        known: Future[Attempt] = Future()
+        known.set_result(msgspec.structs.replace(job, seed=task.seed))
+        return known
 
 
 def _result(task: Task, future: Future[Attempt]) -> Attempt:
@@ -115,12 +122,15 @@ def _result(task: Task, future: Future[Attempt]) -> Attempt:
 
 
 def replay_each(tasks: Sequence[Task], lanes: Lanes) -> Iterator[tuple[Task, Outcome | None]]:
-    """The whole outcome of every task, as they finish; None for one that fails this time."""
+    """The whole outcome of every task, as they finish; None for one that fails this time, or has no path."""
+    jobs = ((task, task.ready.job(task.trial)) for task in tasks)
+    flown = ((task, job) for task, job in jobs if isinstance(job, Job))
 
-    def send(executor: Executor, task: Task) -> Future[Outcome]:
-        return executor.submit(replay, task.ready.job(), task.seed)
+    def send(executor: Executor, one: tuple[Task, Job]) -> Future[Outcome]:
+        task, job = one
+        return executor.submit(replay, job, task.seed)
 
-    for task, future in lanes.each(tasks, send):
+    for (task, _), future in lanes.each(flown, send):
         try:
             yield task, future.result()
         except TrackworthyError:

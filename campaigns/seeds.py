@@ -33,9 +33,13 @@ def trial_seed(campaign_seed: int, case: Case, trial: int) -> int:
     return _seed("trial", campaign_seed, _scenario(case), _stated(case.conditions), trial)
 
 
-def plan_seed(campaign_seed: int, case: Case) -> int:
-    """The seed of a case's planner, which every language's int holds."""
-    return _seed("plan", campaign_seed, _scenario(case), case.plan_seed) >> (SEED_BITS - PLAN_SEED_BITS)
+def plan_seed(campaign_seed: int, case: Case, trial: int | None = None) -> int:
+    """The seed of a case's planner, which every language's int holds; that of a trial where each has its own plan.
+
+    It is the same for every planner, vehicle, controller and condition.
+    """
+    own = () if trial is None else (trial,)
+    return _seed("plan", campaign_seed, _scenario(case), case.plan_seed, *own) >> (SEED_BITS - PLAN_SEED_BITS)
 
 
 def _scenario(case: Case) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.stats import binomtest
 
 from campaigns.store import Row
-from planners.kernel import Floats
+from planners.kernel import Bools, Floats
 from tracking.profile import PIECES
 
 CONFIDENCE = 0.95
@@ -46,8 +46,10 @@ class CaseStatistics:
     """All of a case: `share` of the trials that are trackworthy with its Clopper-Pearson interval, metrics by name.
 
     `values` (T, M) holds every metric of every trial without error, NaN where one could not be measured, in the order
-    of `names`; `seeds` and `trials` (T,) tell whose they are. `bias` and `spread` [m] are those of the whole path,
-    `kinds` those of the errors. `worst` is the trial that missed by most, or came closest to it.
+    of `names`; `seeds` and `trials` (T,) tell whose they are, and `flown` (T,) which of them had a path: a trial whose
+    planner found none, for a reason as in `no_path_reason`, is tried and not trackworthy, and has nothing to measure
+    but its completion. `bias` and `spread` [m] are those of the whole path, `kinds` those of the errors. `worst` is the
+    trial that missed by most, or came closest to it, of those that were flown.
     """
 
     tried: int
@@ -59,6 +61,8 @@ class CaseStatistics:
     values: Floats
     seeds: tuple[int, ...]
     trials: tuple[int, ...]
+    flown: Bools
+    no_path_reason: str
     metrics: dict[str, Summary]
     band: Band | None
     bias: float
@@ -72,14 +76,19 @@ class CaseStatistics:
         """Share of the trials without error that are trackworthy."""
         return self.trackworthy / self.tried if self.tried else 0.0
 
+    @property
+    def no_path(self) -> int:
+        """How many trials had no path."""
+        return self.tried - int(np.count_nonzero(self.flown))
+
 
 def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
     """The statistics of a case's rows; `better` tells each metric's direction."""
-    names: tuple[str, ...] = ()
+    names: list[str] = []
     values, profiles = [], []
-    seeds, trials = [], []
+    seeds, trials, flown = [], [], []
     worthy = passed = errors = 0
-    first_error = ""
+    first_error = no_path_reason = ""
     kinds = set()
     worst: Row | None = None
     for row in rows:
@@ -88,19 +97,25 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
             kinds.add(row.kind)
             first_error = first_error or row.error
             continue
-        names = names or tuple(row.metrics)
+        names += (name for name in row.metrics if name not in names)
         found = (row.metrics.get(name) for name in names)
         values.append(np.array([np.nan if m is None or m.value is None else m.value for m in found]))
-        profiles.append(np.frombuffer(row.profile, np.float32))
         seeds.append(row.seed)
         trials.append(row.trial)
+        flown.append(row.flown)
         worthy += row.trackworthy
         passed += row.passed
+        if not row.flown:
+            no_path_reason = no_path_reason or row.ended
+            continue
+        profiles.append(np.frombuffer(row.profile, np.float32))
         if worst is None or _badness(row) < _badness(worst):
             worst = row
-    tried = len(values)
-    table = np.array(values).reshape(tried, len(names))
-    laid = np.array(profiles, dtype=float).reshape(tried, PIECES)
+    tried = len(trials)
+    table = np.full((tried, len(names)), np.nan)
+    for i, row_values in enumerate(values):
+        table[i, : len(row_values)] = row_values
+    laid = np.array(profiles, dtype=float).reshape(len(profiles), PIECES)
     metrics = {
         name: _summary(table[:, i], trials, better.get(name, "lower"))
         for i, name in enumerate(names)
@@ -112,14 +127,16 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
         trackworthy=worthy,
         passed=passed,
         interval=clopper_pearson(worthy, tried),
-        names=names,
+        names=tuple(names),
         values=table,
         seeds=tuple(seeds),
         trials=tuple(trials),
+        flown=np.array(flown, dtype=bool),
+        no_path_reason=no_path_reason,
         metrics=metrics,
-        band=error_band(laid) if tried > 1 else None,
-        bias=float(laid.mean()) if tried else 0.0,
-        spread=float(laid.std()) if tried else 0.0,
+        band=error_band(laid) if len(laid) > 1 else None,
+        bias=float(laid.mean()) if len(laid) else 0.0,
+        spread=float(laid.std()) if len(laid) else 0.0,
         first_error=first_error,
         kinds=frozenset(kinds),
         worst=worst,

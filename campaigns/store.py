@@ -25,9 +25,9 @@ CREATE TABLE IF NOT EXISTS trials (
     passed INTEGER NOT NULL,    -- as expected
     score REAL NOT NULL,        -- margin of the requirement that decides, relative to its limit
     decided_by TEXT NOT NULL,
-    ended TEXT NOT NULL,
+    ended TEXT NOT NULL,        -- how, or why there was no path
     metrics TEXT NOT NULL,      -- JSON: name -> [value, arc length, time], SI units
-    profile BLOB NOT NULL       -- cross-track error along the path, 32-bit floats [m]
+    profile BLOB NOT NULL       -- cross-track error along the path, 32-bit floats [m]; empty where there was no path
 );
 CREATE INDEX IF NOT EXISTS trials_of_case ON trials (case_name, trial);
 CREATE TABLE IF NOT EXISTS metrics (name TEXT PRIMARY KEY, unit TEXT NOT NULL, better TEXT NOT NULL);
@@ -50,6 +50,11 @@ class Row:
     ended: str
     metrics: dict[str, Measured]
     profile: bytes
+
+    @property
+    def flown(self) -> bool:
+        """Whether there was a path to fly or drive."""
+        return not self.error and bool(self.profile)
 
 
 _METRICS = msgspec.json.Decoder(dict[str, tuple[float | None, float | None, float | None]])

@@ -10,6 +10,8 @@ import msgspec
 
 from campaigns.campaign import Campaign
 from campaigns.case import Case
+from campaigns.scale_steps import Step
+from campaigns.scales import ScaleResult
 from campaigns.statistics import Band, CaseStatistics, Summary, statistics
 from campaigns.store import Row, Store
 from planners.files.text import write_text
@@ -34,7 +36,7 @@ class CaseResult:
 
     @property
     def worst(self) -> Row | None:
-        """The trial that missed by most, or came closest to it; None where none was measured."""
+        """The trial that missed by most, or came closest to it; None where none was flown."""
         return self.statistics.worst
 
     @property
@@ -61,7 +63,9 @@ def results_of(cases: Sequence[Case], store: Store) -> list[CaseResult]:
     return results
 
 
-def write_summary(campaign: Campaign, results: Sequence[CaseResult], file: Path) -> None:
+def write_summary(
+    campaign: Campaign, results: Sequence[CaseResult], file: Path, scales: Sequence[ScaleResult] = ()
+) -> None:
     """Write `summary.json`."""
     about: Json = {
         "name": campaign.name,
@@ -72,6 +76,7 @@ def write_summary(campaign: Campaign, results: Sequence[CaseResult], file: Path)
         "errors": sum(result.statistics.errors for result in results),
         "passed": sum(result.passed for result in results),
         "cases": [_case(result) for result in results],
+        "smallest_scales": [_scale(result) for result in scales],
     }
     text = msgspec.json.format(msgspec.json.encode(about), indent=2).decode()
     write_text(file, f"{text}\n")
@@ -92,6 +97,7 @@ def _case(result: CaseResult) -> Json:
         "trials": case.trials,
         "errors": found.errors,
         "first_error": found.first_error,
+        "no_path": {"trials": found.no_path, "reason": found.no_path_reason} if found.no_path else None,
         "trackworthy": found.trackworthy,
         "share": found.share,
         "share_interval": [low, high],
@@ -101,6 +107,41 @@ def _case(result: CaseResult) -> Json:
         "spread": found.spread,
         "metrics": {name: _metric(one, *result.units[name]) for name, one in found.metrics.items()},
         "band": _band(found.band),
+    }
+
+
+def _scale(result: ScaleResult) -> Json:
+    search, found, (width, height) = result.search, result.found, result.size
+    return {
+        "name": search.name,
+        "scenario": Path(search.scenario).stem,
+        "planner": search.planner,
+        "vehicle": search.vehicle,
+        "controller": search.controller,
+        "speed": search.speed,
+        "corridor": search.corridor,
+        "smallest": found.unit,
+        "map_size": None if found.unit is None else [found.unit * width, found.unit * height],
+        "failing": None if found.failing is None else _step(found.failing),
+        "steps": [{"unit": step.unit, "trackworthy": step.trackworthy} for step in found.steps],
+        "between": list(search.between),
+        "tolerance": search.tolerance,
+        "expect_at_most": search.expect_at_most,
+        "passed": result.passed,
+        "error": found.error,
+    }
+
+
+def _step(step: Step) -> Json:
+    factor, unit = degrees(1.0, step.si_unit)
+    return {
+        "unit": step.unit,
+        "reason": step.reason,
+        "metric": step.metric or None,
+        "value": None if step.value is None else factor * step.value,
+        "limit": None if step.limit is None else factor * step.limit,
+        "metric_unit": unit or None,
+        "s": step.s,
     }
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
 
 import numpy as np
@@ -12,7 +12,7 @@ from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
 from planners.kernel import Floats
-from planners.map import Map
+from planners.map import Circle, Map, Raster
 from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
 from planners.typed_toml import read_toml, suggestion
 
@@ -20,6 +20,7 @@ BUILT_IN_SCENARIOS = (
     "mars-hazards-15",
     "mars-hazards-25",
     "nofly-1000x660",
+    "slalom-1000x600",
     "target-vehicle-640m",
     "target-vehicle-71m",
 )
@@ -110,3 +111,32 @@ def _places(
             raise InputError(f"{file}: {key}", what, "move it to free ground")
     points.setflags(write=False)
     return points
+
+
+def scaled(scenario: Scenario, unit: float) -> Scenario:
+    """The same scenario with map units of `unit` [m]; its picture stays as it is."""
+    factor, area = unit / scenario.unit, scenario.map
+    left, south, right, north = area.bounds or (0.0, 0.0, 0.0, 0.0)
+    raster = area.raster
+    resized = replace(
+        area,
+        polygons=tuple(ring * factor for ring in area.polygons),
+        circles=tuple(_scaled(circle, factor) for circle in area.circles),
+        keep_in=tuple(ring * factor for ring in area.keep_in),
+        keep_in_circles=tuple(_scaled(circle, factor) for circle in area.keep_in_circles),
+        bounds=area.bounds and (left * factor, south * factor, right * factor, north * factor),
+        raster=raster and Raster(raster.blocked, raster.cell * factor, raster.x * factor, raster.y * factor),
+    )
+    return replace(
+        scenario,
+        map=resized,
+        starts=scenario.starts * factor,
+        goals=scenario.goals * factor,
+        size=(scenario.size[0] * factor, scenario.size[1] * factor),
+        unit=unit,
+        max_range=None if scenario.max_range is None else scenario.max_range * factor,
+    )
+
+
+def _scaled(circle: Circle, factor: float) -> Circle:
+    return Circle(circle.x * factor, circle.y * factor, circle.radius * factor)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from campaigns.summary import ERROR, CaseResult
-from reports.quantity import number, text
+from reports.quantity import counted, number, text
 from reports.words import reason, sentence
 from tracking.outcome import Outcome
 
@@ -28,8 +28,8 @@ def _told(result: CaseResult, outcome: Outcome | None) -> str:
         share = f"{found.errors} of {case.trials} trials: " if case.trials > 1 else ""
         return f"{share}{found.first_error}"
     if case.trials == 1:
-        return sentence(outcome) if outcome else result.verdict
-    parts = [share_words(result), *spread_words(result)]
+        return sentence(outcome) if outcome else "; ".join([result.verdict, *no_path_words(result)])
+    parts = [share_words(result), *no_path_words(result), *spread_words(result)]
     if outcome is not None and result.worst is not None:
         parts.append(f"worst: trial {result.worst.trial}, {reason(outcome)}")
     return "; ".join(parts)
@@ -42,9 +42,20 @@ def share_words(result: CaseResult) -> str:
     return f"{found.trackworthy} of {found.tried} trials trackworthy ({number(100 * low)} to {number(100 * high)} %)"
 
 
-def spread_words(result: CaseResult) -> list[str]:
-    """The headline metric over the trials, and the steady bias apart from the spread."""
+def no_path_words(result: CaseResult) -> list[str]:
+    """ "3 of 20 trials found no path: the colony lost its way", or nothing where all did."""
     found = result.statistics
+    if not found.no_path:
+        return []
+    which = f"{found.no_path} of {counted(found.tried, 'trial')} found" if result.case.trials > 1 else "found"
+    return [f"{which} no path: {found.no_path_reason}"]
+
+
+def spread_words(result: CaseResult) -> list[str]:
+    """The headline metric over the trials, and the steady bias apart from the spread; nothing where none was flown."""
+    found = result.statistics
+    if found.tried == found.no_path:
+        return []
     parts = []
     if one := found.metrics.get(HEADLINE):
         unit = result.units[HEADLINE][0]

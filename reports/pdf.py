@@ -7,12 +7,14 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from campaigns.scales import ScaleResult
 from campaigns.summary import CaseResult
 from planners.atomic_file import atomic
 from reports.json_result import Json
 from reports.pdf_case import case_data
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
+from reports.scale_words import scale_row
 from tracking.outcome import Outcome
 
 _TEMPLATE = Path(__file__).with_name("report.typ")
@@ -28,16 +30,17 @@ def write_pdf(
     subtitle: str = "",
     commands: Sequence[str] = (),
     results: Sequence[CaseResult] = (),
+    scales: Sequence[ScaleResult] = (),
 ) -> None:
     """Write the report on `outcomes` under `title`: the same outcomes give the same bytes.
 
     `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
-    its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case. The
-    file appears whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where
-    typst fails.
+    its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case. `scales`
+    are what its searches for the smallest scale found. The file appears whole or not at all. Raises `InputError` where
+    its folder does not exist, `TrackworthyError` where typst fails.
     """
     with tempfile.TemporaryDirectory(prefix="trackworthy-pdf-") as folder, atomic(file) as temporary:
-        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results))
+        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results, scales))
 
 
 def _compiled(
@@ -47,6 +50,7 @@ def _compiled(
     subtitle: str,
     commands: Sequence[str],
     results: Sequence[CaseResult],
+    scales: Sequence[ScaleResult],
 ) -> bytes:
     import typst
 
@@ -62,7 +66,10 @@ def _compiled(
         case = case_data(outcome, figure, commands[number] if number < len(commands) else "")
         cases.append({**case, "trials": None if result is None else _trials(result, outcome, folder, number)})
     rows = summary_rows(outcomes, results, pages)
-    told = {"title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases}
+    searches = [scale_row(result) for result in scales]
+    told = {
+        "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases, "scales": searches,
+    }  # fmt: skip
     data = json.dumps(told, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
     (folder / "report.json").write_text(data, encoding="utf-8")

@@ -40,7 +40,8 @@ def _required(result: CaseResult, requirement: Requirement) -> dict[str, Json]:
     found, name = result.statistics, requirement.metric
     unit, count = result.units[name][0], kept(result.statistics, requirement)
     limit = f"{'≤' if requirement.comparison == '<=' else '≥'} {text(requirement.limit, unit)}"
-    return {**_row(result, name), "limit": limit, "kept": f"{count} of {found.tried}", "met": count == found.tried}
+    flown = found.tried - found.no_path
+    return {**_row(result, name), "limit": limit, "kept": f"{count} of {flown}", "met": count == flown}
 
 
 def _row(result: CaseResult, name: str) -> dict[str, Json]:

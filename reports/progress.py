@@ -22,7 +22,7 @@ Results = Iterable[tuple[Task, Attempt]]
 def watched(results: Results, tasks: Sequence[Task], total: int) -> Iterator[Attempt]:
     """Pass the results of `tasks` on, showing how many of `total` trials are done, those of earlier runs included."""
     tally = _Tally(tasks, total)
-    if not tasks:
+    if total and not tasks:
         print(f"all {total} trials are done; the report follows", file=sys.stderr)
     on_terminal = sys.stderr.isatty()  # not what FORCE_COLOR makes rich believe
     yield from _bar(results, tally, Console(stderr=True)) if on_terminal else _lines(results, tally)

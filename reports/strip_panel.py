@@ -89,6 +89,7 @@ def _label(one: Strip) -> str:
 
 
 def _worst(result: CaseResult) -> int | None:
-    """Index of the worst trial among those without error."""
-    trials, worst = result.statistics.trials, result.worst
-    return trials.index(worst.trial) if worst is not None and worst.trial in trials else None
+    """Index of the worst trial among those that were flown."""
+    found, worst = result.statistics, result.worst
+    flown = [trial for trial, one in zip(found.trials, found.flown, strict=True) if one]
+    return flown.index(worst.trial) if worst is not None and worst.trial in flown else None

@@ -17,7 +17,7 @@ _MOST = 6  # metrics
 
 @dataclass(frozen=True, slots=True)
 class Strip:
-    """A metric held against a limit from above: `used` (T,) is each trial's share of it, NaN where it has none.
+    """A metric held against a limit from above: `used` (F,) is each flown trial's share of it, NaN where it has none.
 
     The limit is `stated` by a requirement, or else the corridor.
     """
@@ -30,7 +30,7 @@ class Strip:
 
     @property
     def missed(self) -> int:
-        """How many trials do not keep the limit."""
+        """How many of the flown trials do not keep the limit."""
         return int(np.count_nonzero(~(self.used <= 1.0)))
 
 
@@ -49,12 +49,13 @@ def strips(found: CaseStatistics, outcome: Outcome) -> list[Strip]:
 
 
 def column(found: CaseStatistics, metric: str) -> Floats:
-    """The metric's value in every trial without error (T,)."""
-    return found.values[:, found.names.index(metric)]
+    """The metric's value in every trial that was flown (F,)."""
+    values: Floats = found.values[found.flown, found.names.index(metric)]
+    return values
 
 
 def kept(found: CaseStatistics, requirement: Requirement) -> int:
-    """How many trials meet `requirement`."""
+    """How many of the flown trials meet `requirement`."""
     values = column(found, requirement.metric)
     met = values <= requirement.limit if requirement.comparison == "<=" else values >= requirement.limit
     return int(np.count_nonzero(met))

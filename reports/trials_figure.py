@@ -67,7 +67,8 @@ def trials_figure(result: CaseResult, outcome: Outcome, page: bool = False) -> F
             columnspacing=1.0, handletextpad=0.5,
         )  # fmt: skip
     size.tick_params(labelbottom=False)
-    bias.set_xlabel(f"distance along the path [{unit}], left is positive")
+    whose = "path of the worst trial" if result.case.replan else "path"
+    bias.set_xlabel(f"distance along the {whose} [{unit}], left is positive")
     left = LABELS + 0.2
     draw_strips(place(figure, left, strips_top, WIDTH - 0.8 - left, strips_height(len(shown))), result, shown)
     return figure

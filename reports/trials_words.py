@@ -6,7 +6,7 @@ from pathlib import Path
 
 from campaigns.conditions import known_wind
 from campaigns.summary import ERROR, CaseResult
-from reports.campaign_words import HEADLINE, share_words
+from reports.campaign_words import HEADLINE, no_path_words, share_words
 from reports.names import spoken
 from reports.quantity import number, text
 from reports.words import GROUND, closest, missed, place, speed_words, wind_words
@@ -34,9 +34,8 @@ def case_conditions(result: CaseResult, outcome: Outcome) -> tuple[str, ...]:
 
 def case_setting(result: CaseResult, outcome: Outcome) -> str:
     """Vehicle, controller, speed, wind and number of trials."""
-    return " · ".join(
-        [outcome.vehicle, outcome.controller, *case_conditions(result, outcome), f"{result.case.trials} trials"]
-    )
+    trials = f"{result.case.trials} trials{', each on a plan of its own' if result.case.replan else ''}"
+    return " · ".join([outcome.vehicle, outcome.controller, *case_conditions(result, outcome), trials])
 
 
 def planned_setting(result: CaseResult) -> tuple[str, str, str]:
@@ -52,10 +51,12 @@ def verdict_reason(result: CaseResult) -> str:
     if found.errors:
         count = f"{found.errors} of {case.trials} trials failed to run: " if case.trials > 1 else ""
         return f"{count}{found.first_error}"
+    if case.trials == 1 and result.worst is not None:
+        return f"decided by {spoken(result.worst.decided_by)}" if result.worst.decided_by else ""
     if case.trials == 1:
-        return f"decided by {spoken(result.worst.decided_by)}" if result.worst and result.worst.decided_by else ""
+        return "".join(no_path_words(result))
     asked = f", at least {number(100 * case.pass_share)} % must be" if case.pass_share < 1.0 else ""
-    return share_words(result) + asked
+    return "; ".join([share_words(result) + asked, *no_path_words(result)])
 
 
 def headline_words(result: CaseResult) -> str:
@@ -68,8 +69,12 @@ def headline_words(result: CaseResult) -> str:
 
 
 def worst_name(result: CaseResult) -> str:
-    """ "worst of 20: trial 7"."""
-    return f"worst of {result.case.trials}: trial {result.worst.trial}" if result.worst else ""
+    """ "worst of 20: trial 7", or of those that were flown."""
+    if result.worst is None:
+        return ""
+    found = result.statistics
+    of = f"{found.tried - found.no_path} flown" if found.no_path else f"{result.case.trials}"
+    return f"worst of {of}: trial {result.worst.trial}"
 
 
 def worst_words(result: CaseResult, outcome: Outcome) -> str:

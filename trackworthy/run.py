@@ -34,6 +34,7 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.campaign import load_campaign
     from campaigns.execute import Machines, default_jobs, execute
     from campaigns.ready import make_ready
+    from campaigns.scale_ready import make_searches_ready
     from planners.errors import InputError
     from reports.progress import watched
     from reports.slug import slug
@@ -42,7 +43,7 @@ def main(args: argparse.Namespace) -> int:
     if args.jobs is not None and args.jobs < 1:
         raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
     campaign = load_campaign(args.campaign, args.case)
-    cases = make_ready(campaign)
+    cases, searches = make_ready(campaign), make_searches_ready(campaign)
     tell(dict.fromkeys(note for ready in cases for note in ready.notes))
     name = "-".join([slug(campaign.name), *map(slug, args.case)])
     folder = Path(args.output or Path("runs") / name)
@@ -54,7 +55,7 @@ def main(args: argparse.Namespace) -> int:
         return replay_trial(campaign, cases, args.trial, folder)
     machines = Machines(args.jobs or default_jobs(), args.dask)
     try:
-        finished = execute(campaign, cases, folder, machines, watched, args.fresh)
+        finished = execute(campaign, cases, folder, machines, watched, args.fresh, searches)
     except (KeyboardInterrupt, SystemExit) as stop:  # Ctrl-C, or told to by SIGTERM
         tell([f"trackworthy: stopped; the same command goes on from what is stored in {folder}"])
         return int(stop.code or 0) if isinstance(stop, SystemExit) else 130
@@ -63,14 +64,22 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
-    """Every case with its number of trials."""
+    """Every case with its number of trials, and every search for the smallest scale."""
+    from planners.outside import OutsidePlanner
     from reports.quantity import counted
 
-    width = max(len(ready.case.name) for ready in cases)
+    names = [*(ready.case.name for ready in cases), *(search.name for search in campaign.searches)]
+    width = max(map(len, names))
     for ready in cases:
-        case, path = ready.case, ready.case.path or f"planned on {ready.case.scenario}"
+        case, planner = ready.case, ready.case.planner
+        by = planner.label if isinstance(planner, OutsidePlanner) else planner
+        path = case.path or f"planned by {by} on {case.scenario}"
         what = f"{path}, {case.vehicle}, {case.controller}, {case.speed:.4g} m/s"
         print(f"{case.name:<{width}}  {case.trials:>6}  {what}")
+    for search in campaign.searches:
+        low, high = search.between
+        what = f"smallest scale of {search.scenario}, {search.planner}, {search.vehicle}, {search.controller}"
+        print(f"{search.name:<{width}}          {what}, {low:g} to {high:g} m")
     print(f"{counted(len(cases), 'case')}, {counted(campaign.trials, 'trial')}")
     return 0
 
@@ -98,23 +107,32 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
             save_trials_figure(result, outcome, figures / f"{stem}-trials.png")
         outcomes.append(outcome)
         commands.append(replay_command(called, case.name, result.worst.trial))
-    write_pdf(outcomes, folder / "report.pdf", campaign.title, commands=commands, results=finished.results)
+    write_pdf(
+        outcomes, folder / "report.pdf", campaign.title,
+        commands=commands, results=finished.results, scales=finished.scales,
+    )  # fmt: skip
 
 
 def _answer(finished: Finished, folder: Path) -> int:
-    """A line a case, and the exit code."""
+    """A line a case and a search, and the exit code."""
     from campaigns.attempt import INPUT
     from planners.errors import InputError, TrackworthyError
     from reports.campaign_words import case_line
+    from reports.scale_words import scale_line
 
-    results = finished.results
+    results, scales = finished.results, finished.scales
     for result in results:
         print(case_line(result, finished.outcomes.get(result.case.name)))
+    for scale in scales:
+        print(scale_line(scale))
     passed = sum(result.passed for result in results)
-    failed = [result for result in results if result.statistics.errors]
-    failures = f", {len(failed)} failed to run" if failed else ""
-    print(f"{passed} of {len(results)} cases as expected{failures}; report: {folder / 'report.pdf'}")
-    if failed:
-        kinds = frozenset[str]().union(*(result.statistics.kinds for result in failed))
-        return InputError.exit_code if kinds == {INPUT} else TrackworthyError.exit_code
-    return 0 if passed == len(results) else 1
+    asked = [scale.passed for scale in scales if scale.passed is not None]
+    kinds = [result.statistics.kinds for result in results if result.statistics.errors]
+    kinds += [frozenset({scale.found.kind}) for scale in scales if scale.found.error]
+    found = f" and {sum(asked)} of {len(asked)} smallest scales" if asked else ""
+    failures = f", {len(kinds)} failed to run" if kinds else ""
+    print(f"{passed} of {len(results)} cases{found} as expected{failures}; report: {folder / 'report.pdf'}")
+    if kinds:
+        only_input = frozenset[str]().union(*kinds) == {INPUT}
+        return InputError.exit_code if only_input else TrackworthyError.exit_code
+    return 0 if passed == len(results) and all(asked) else 1

@@ -4,9 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from campaigns.campaign import BUILT_IN_CAMPAIGNS, expanded, load_campaign
+from campaigns.campaign import BUILT_IN_CAMPAIGNS, load_campaign
+from campaigns.case import Case
 from campaigns.conditions import WindKeys
 from campaigns.distribution import Distribution
+from campaigns.expand import expanded
 from planners.errors import InputError
 
 HEAD = 'name = "test"\n'
@@ -119,7 +121,7 @@ def some_lists(settings):
 def test_there_are_as_many_cases_as_the_product_of_the_lengths(settings, conditions):
     block = {"path": "line.csv", "vehicle": "truck", **settings, "conditions": conditions}
     before = repr(block)
-    cases = expanded(block, "file")
+    cases = expanded(block, "file", Case)
     lists = [value for value in (*settings.values(), *conditions.values()) if isinstance(value, list)]
     assert len(cases) == math.prod(len(values) for values in lists)
     assert len({case.name for case in cases}) == len(cases)
@@ -135,7 +137,7 @@ def test_an_empty_list_leaves_no_case(tmp_path):
     wind = HEAD + CASE + "speed = [10, 12]\nconditions.wind = []\n"
     assert refused(tmp_path, wind).startswith(f"case[0]: conditions.wind: {empty}")
     assert refused(tmp_path, HEAD + "case = []\n").startswith("it has no cases")
-    assert refused(tmp_path, HEAD).startswith("'case' is missing")
+    assert refused(tmp_path, HEAD).startswith("it has no cases")
 
 
 def test_an_empty_list_does_not_vanish_beside_other_cases(tmp_path):

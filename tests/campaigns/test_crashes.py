@@ -41,10 +41,11 @@ if __name__ == "__main__":
 def seeds():
     import tomllib
 
-    from campaigns.campaign import expanded
+    from campaigns.case import Case
+    from campaigns.expand import expanded
     from campaigns.seeds import trial_seed
 
-    (case,) = expanded(tomllib.loads(ROAD)["case"][0], "")
+    (case,) = expanded(tomllib.loads(ROAD)["case"][0], "", Case)
     return [trial_seed(1, case, trial) for trial in range(1, 21)]
 
 

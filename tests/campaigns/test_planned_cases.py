@@ -357,5 +357,5 @@ def test_a_planner_without_a_scenario_is_told_with_the_file(campaign, change, ca
 
 def test_ready_cases_of_one_plan_share_its_key(campaign):
     loaded = load_campaign(str(campaign(PLANNED.replace("speed = 8", "speed = [6, 8]"), PLANNED.replace('d"', 'e"'))))
-    keys = [ready.plan.key for ready in make_ready(loaded)]
+    keys = [plan.key for ready in make_ready(loaded) for plan in ready.plans]
     assert len(set(keys)) == 1

@@ -107,7 +107,7 @@ def test_worst_keeps_the_lowest_relative_margin_of_each_case(folder, whole):
     lowest = {}
     for ready in make_ready(campaign):
         margins = {
-            task.trial: min(margin.relative for margin in replay(ready.job(), task.seed).verdict.margins)
+            task.trial: min(margin.relative for margin in replay(ready.job(task.trial), task.seed).verdict.margins)
             for task in tasks_of(campaign, ready)
         }
         lowest[ready.case.name] = min(margins, key=margins.get)
@@ -136,7 +136,7 @@ def test_a_file_has_the_values_of_its_trial(whole):
     campaign = load_campaign(str(file))
     (ready, _) = make_ready(campaign)
     for task in list(tasks_of(campaign, ready))[:3]:
-        track = replay(ready.job(), task.seed).track
+        track = replay(ready.job(task.trial), task.seed).track
         table = pq.read_table(out / "tracks" / f"{task.key[:16]}.parquet")
         assert tuple(table.column_names) == track.columns
         for column in track.columns:
