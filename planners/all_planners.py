@@ -7,13 +7,16 @@ from typing import Any, cast
 import msgspec
 import numpy as np
 
+from planners.aco.basic import AcoBasic, AcoBasicPrinted
+from planners.aco.improved import AcoImproved
+from planners.aco.turn_aware import AcoTurnAware
 from planners.errors import InputError
 from planners.exact import Exact
 from planners.planner import Plan, Planner
 from planners.scenario import Scenario
 from planners.typed_toml import convert, suggestion
 
-ALL_PLANNERS: tuple[type[Planner], ...] = (Exact,)
+ALL_PLANNERS: tuple[type[Planner], ...] = (Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware)
 
 
 def make_planner(name: str, settings: dict[str, Any] | None = None) -> Planner:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import shapely
 from scipy.ndimage import distance_transform_edt
@@ -37,11 +39,9 @@ def occupancy(area: Map, cell: float, bounds: tuple[float, float, float, float] 
         ring = (ring - origin) / cell
         blocked |= ~_covered(ring, rows, columns) | _crossed(ring, rows, columns)
     for circle in area.circles:
-        nearest, _ = _cell_distances(circle, origin, cell, rows, columns)
-        blocked |= nearest < circle.radius / cell - SNAP
+        _block_circle(blocked, circle, origin, cell)
     for circle in area.keep_in_circles:
-        _, farthest = _cell_distances(circle, origin, cell, rows, columns)
-        blocked |= farthest > circle.radius / cell + SNAP
+        blocked |= _farthest(circle, origin, cell, rows, columns) > circle.radius / cell + SNAP
     if area.raster is not None:
         blocked |= _resampled(area.raster, origin, cell, rows, columns)
     if area.bounds is not None:
@@ -130,11 +130,22 @@ def _crossed(ring: Floats, rows: int, columns: int) -> Bools:
     return hit
 
 
-def _cell_distances(circle: Circle, origin: Floats, cell: float, rows: int, columns: int) -> tuple[Floats, Floats]:
-    """Distances (rows, cols) of the circle's centre from each cell's nearest and farthest point, in cells."""
+def _block_circle(blocked: Bools, circle: Circle, origin: Floats, cell: float) -> None:
+    """Block the cells whose nearest point lies in the circle; only those about it are looked at."""
+    rows, columns = blocked.shape
+    (x, y), radius = (np.array([circle.x, circle.y]) - origin) / cell, circle.radius / cell
+    left, right = np.clip([math.floor(x - radius), math.ceil(x + radius)], 0, columns)
+    south, north = np.clip([math.floor(y - radius), math.ceil(y + radius)], 0, rows)
+    dx = (np.abs(np.arange(left, right) + 0.5 - x) - 0.5).clip(0.0)
+    dy = (np.abs(np.arange(south, north) + 0.5 - y) - 0.5).clip(0.0)[:, None]
+    blocked[south:north, left:right] |= dx * dx + dy * dy < max(radius - SNAP, 0.0) ** 2
+
+
+def _farthest(circle: Circle, origin: Floats, cell: float, rows: int, columns: int) -> Floats:
+    """Distances (rows, cols) of the circle's centre from each cell's farthest point, in cells."""
     x, y = (np.array([circle.x, circle.y]) - origin) / cell
     dx, dy = np.abs(np.arange(columns) + 0.5 - x), np.abs(np.arange(rows) + 0.5 - y)[:, None]
-    return np.hypot((dx - 0.5).clip(0.0), (dy - 0.5).clip(0.0)), np.hypot(dx + 0.5, dy + 0.5)
+    return np.asarray(np.hypot(dx + 0.5, dy + 0.5))
 
 
 def _resampled(raster: Raster, origin: Floats, cell: float, rows: int, columns: int) -> Bools:

@@ -1,0 +1,46 @@
+"""Kernels of pheromone: laid on cells, seen as the regional equivalent of eq. 10 in paper 000."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from planners.kernel import Floats, kernel
+from planners.segments import lay
+
+
+def region(radius: int, factor: float) -> Floats:
+    """The weights (2 radius + 1, 2 radius + 1) of eq. 10: factor^m in the m-th square layer about the cell."""
+    layer = np.abs(np.indices((2 * radius + 1, 2 * radius + 1)) - radius).max(axis=0)
+    return np.asarray(np.where(layer == 0, 1.0, factor ** layer.astype(float)))
+
+
+@kernel
+def lay_along(laid: Floats, amount: float, nodes: Floats, nodes_only: bool) -> None:
+    """Add `amount` to the cells of the way `nodes` (N, 2), or of its nodes only; the start's own cell apart."""
+    for i in range(1, len(nodes)):
+        if nodes_only:
+            laid[int(nodes[i, 1]), int(nodes[i, 0])] += amount
+        else:
+            lay(laid, amount, nodes[i - 1, 0], nodes[i - 1, 1], nodes[i, 0], nodes[i, 1])
+
+
+@kernel
+def evaporate_and_lay(seen: Floats, laid: Floats, evaporation: float, weights: Floats) -> None:
+    """Eq. 4 for what the ants see: `seen` is linear in the pheromone, so it is kept up to date instead of that.
+
+    `laid` is emptied.
+    """
+    rows, columns = seen.shape
+    radius = len(weights) // 2
+    for row in range(rows):
+        for column in range(columns):
+            seen[row, column] *= 1.0 - evaporation
+    for row in range(rows):
+        for column in range(columns):
+            amount = laid[row, column]
+            if amount == 0.0:
+                continue
+            laid[row, column] = 0.0
+            for i in range(max(row - radius, 0), min(row + radius + 1, rows)):
+                for k in range(max(column - radius, 0), min(column + radius + 1, columns)):
+                    seen[i, k] += amount * weights[i - row + radius, k - column + radius]

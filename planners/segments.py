@@ -1,0 +1,81 @@
+"""Kernels on straight segments over a grid of cells, in units of cells: column x, row y."""
+
+from __future__ import annotations
+
+import math
+
+from planners.kernel import Bools, Floats, kernel
+
+
+@kernel
+def is_free(blocked: Bools, x0: float, y0: float, x1: float, y1: float) -> bool:
+    """Whether the segment meets no blocked cell and stays on the grid.
+
+    Exact (Amanatides and Woo 1987): every cell that it passes through is looked at, and where it passes through a
+    corner, both cells beside it too, so that nothing slips between two blocked cells that touch.
+    """
+    rows, columns = blocked.shape
+    column, row = math.floor(x0), math.floor(y0)
+    if column < 0 or row < 0 or column >= columns or row >= rows or blocked[row, column]:
+        return False
+    last_column, last_row = math.floor(x1), math.floor(y1)
+    dx, dy = x1 - x0, y1 - y0
+    step_x, step_y = (1 if dx > 0.0 else -1), (1 if dy > 0.0 else -1)
+    per_x = abs(1.0 / dx) if dx != 0.0 else math.inf
+    per_y = abs(1.0 / dy) if dy != 0.0 else math.inf
+    next_x = ((column + 1 - x0) if dx > 0.0 else (x0 - column)) * per_x if dx != 0.0 else math.inf
+    next_y = ((row + 1 - y0) if dy > 0.0 else (y0 - row)) * per_y if dy != 0.0 else math.inf
+    left = abs(last_column - column) + abs(last_row - row)
+    while left > 0:
+        if abs(next_x - next_y) < 1e-9 and left > 1:
+            beside = column + step_x
+            if beside < 0 or beside >= columns or blocked[row, beside]:
+                return False
+            above = row + step_y
+            if above < 0 or above >= rows or blocked[above, column]:
+                return False
+            column, row = beside, above
+            next_x += per_x
+            next_y += per_y
+            left -= 2
+        elif next_x < next_y:
+            column += step_x
+            next_x += per_x
+            left -= 1
+        else:
+            row += step_y
+            next_y += per_y
+            left -= 1
+        if column < 0 or row < 0 or column >= columns or row >= rows or blocked[row, column]:
+            return False
+    return True
+
+
+@kernel
+def lay(field: Floats, amount: float, x0: float, y0: float, x1: float, y1: float) -> None:
+    """Add `amount` to every cell that the segment passes through but the first; it must be free."""
+    column, row = math.floor(x0), math.floor(y0)
+    last_column, last_row = math.floor(x1), math.floor(y1)
+    dx, dy = x1 - x0, y1 - y0
+    step_x, step_y = (1 if dx > 0.0 else -1), (1 if dy > 0.0 else -1)
+    per_x = abs(1.0 / dx) if dx != 0.0 else math.inf
+    per_y = abs(1.0 / dy) if dy != 0.0 else math.inf
+    next_x = ((column + 1 - x0) if dx > 0.0 else (x0 - column)) * per_x if dx != 0.0 else math.inf
+    next_y = ((row + 1 - y0) if dy > 0.0 else (y0 - row)) * per_y if dy != 0.0 else math.inf
+    for _ in range(abs(last_column - column) + abs(last_row - row)):
+        if next_x < next_y:
+            column += step_x
+            next_x += per_x
+        else:
+            row += step_y
+            next_y += per_y
+        field[row, column] += amount
+
+
+@kernel
+def polyline_length(nodes: Floats) -> float:
+    """Length of `nodes` (N, 2)."""
+    total = 0.0
+    for i in range(1, len(nodes)):
+        total += math.hypot(nodes[i, 0] - nodes[i - 1, 0], nodes[i, 1] - nodes[i - 1, 1])
+    return total
