@@ -19,7 +19,7 @@ def scale_line(result: ScaleResult) -> str:
         return f"error {name}: {result.found.error}"
     mark = {None: "scale", True: "pass ", False: "FAIL "}[result.passed]
     size = f" ({size_words(result)})" if result.found.unit else ""
-    told = [f"smallest scale {scale_words(result)}{size}", failing_words(result)]
+    told = [f"smallest scale: {scale_words(result)}{size}", failing_words(result)]
     return f"{mark} {name}: {'; '.join(filter(None, told))}"
 
 
@@ -27,7 +27,7 @@ def scale_words(result: ScaleResult) -> str:
     """ "3.42 m a map unit"; the range's end where all of it is trackworthy, or none."""
     low, high = result.search.between
     if result.found.unit is None:
-        return f"above {text(high, 'm')} a map unit"
+        return f"none up to {text(high, 'm')} a map unit"
     at_most = "" if result.found.failing else "at most "
     return f"{at_most}{text(result.found.unit if result.found.failing else low, 'm')} a map unit"
 

@@ -256,7 +256,7 @@ def test_a_search_is_told_in_the_answer_the_summary_and_the_report(tmp_path, cap
     assert told[0]["map_size"] == [60.0 * unit, 60.0 * unit]
     assert (told[0]["passed"], told[0]["planner"], told[0]["failing"]["unit"] < unit) == (None, "bend", True)
     out = capfd.readouterr().out
-    assert out.startswith("scale bend: smallest scale ")
+    assert out.startswith("scale bend: smallest scale: ")
     assert " m a map unit (0.1" in out
     assert "; at " in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
@@ -269,10 +269,10 @@ def test_a_search_is_told_in_the_answer_the_summary_and_the_report(tmp_path, cap
 @pytest.mark.parametrize(
     ("keys", "code", "told"),
     [
-        ("expect_at_most = 4.0\n", 0, "pass  bend: smallest scale "),
-        ("expect_at_most = 1.0\n", 1, "FAIL  bend: smallest scale "),
+        ("expect_at_most = 4.0\n", 0, "pass  bend: smallest scale: "),
+        ("expect_at_most = 1.0\n", 1, "FAIL  bend: smallest scale: "),
         ('set = { least = 9.0, fail = "crash" }\n', 3, "error bend: ZeroDivisionError: a fault of ours"),
-        ("set.least = 9.0\n", 0, "scale bend: smallest scale above 8 m a map unit; at 8 m: no path: the gate"),
+        ("set.least = 9.0\n", 0, "scale bend: smallest scale: none up to 8 m a map unit; at 8 m: no path: the gate"),
     ],
 )
 def test_only_an_expectation_or_a_failure_decides_the_exit_code(tmp_path, keys, code, told, capfd, monkeypatch):
