@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import shapely
 from scipy.ndimage import distance_transform_edt
 
 from planners.errors import InputError
 from planners.kernel import Bools, Floats
 from planners.map import Circle, Map, Raster
+from planners.occupancy_kernels import SNAP, block_edges, block_inside
 
 Grid = Raster  # an occupancy grid is a raster; only what it was made from differs
-
-SNAP = 1e-9  # [cells] a border this near to a grid line lies on it, whatever rounding says
 
 
 def occupancy(area: Map, cell: float, bounds: tuple[float, float, float, float] | None = None) -> Grid:
@@ -34,10 +32,13 @@ def occupancy(area: Map, cell: float, bounds: tuple[float, float, float, float] 
     origin = np.array([x_min, y_min])
     for ring in area.polygons:
         ring = (ring - origin) / cell
-        blocked |= _covered(ring, rows, columns) | _crossed(ring, rows, columns)
+        block_inside(blocked, ring)
+        block_edges(blocked, ring)
     for ring in area.keep_in:
-        ring = (ring - origin) / cell
-        blocked |= ~_covered(ring, rows, columns) | _crossed(ring, rows, columns)
+        ring, inside = (ring - origin) / cell, np.zeros_like(blocked)
+        block_inside(inside, ring)
+        blocked |= ~inside
+        block_edges(blocked, ring)
     for circle in area.circles:
         _block_circle(blocked, circle, origin, cell)
     for circle in area.keep_in_circles:
@@ -92,42 +93,6 @@ def extent(area: Map) -> tuple[float, float, float, float]:
         raise InputError("map", "it holds nothing, so it has no extent", "give it bounds")
     low, high = np.min(boxes, axis=0)[:2], np.max(boxes, axis=0)[2:]
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
-
-
-def _covered(ring: Floats, rows: int, columns: int) -> Bools:
-    """Whether each cell's centre lies inside the polygon, in units of cells."""
-    polygon = shapely.Polygon(ring)
-    shapely.prepare(polygon)
-    inside = np.zeros((rows, columns), dtype=bool)
-    left, south = np.floor(ring.min(axis=0)).clip(0).astype(int)
-    right, north = np.ceil(ring.max(axis=0)).clip(0).astype(int)
-    window = inside[south:north, left:right]
-    row, column = np.indices(window.shape) + 0.5
-    window[:] = shapely.contains_xy(polygon, column + left, row + south)
-    return inside
-
-
-def _crossed(ring: Floats, rows: int, columns: int) -> Bools:
-    """Which cells the polygon's edges pass through, in units of cells; along a grid line is not through.
-
-    The grid lines cut an edge into pieces, and each piece lies in the cell of its middle.
-    """
-    hit = np.zeros((rows, columns), dtype=bool)
-    for start, end in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        step = end - start
-        cuts = [np.array([0.0, 1.0])]
-        for axis in (0, 1):
-            low, high = sorted((start[axis], end[axis]))
-            lines = np.arange(np.floor(low) + 1.0, np.ceil(high))
-            cuts.append((lines - start[axis]) / step[axis])
-        cut = np.sort(np.concatenate(cuts))
-        long = np.diff(cut) * np.hypot(*step) > SNAP
-        middle = start + ((cut[:-1] + cut[1:])[long] / 2.0)[:, None] * step
-        middle = middle[(np.abs(middle - np.round(middle)) > SNAP).all(axis=1)]
-        column, row = np.floor(middle).astype(int).T
-        on = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
-        hit[row[on], column[on]] = True
-    return hit
 
 
 def _block_circle(blocked: Bools, circle: Circle, origin: Floats, cell: float) -> None:

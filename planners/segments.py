@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from planners.kernel import Bools, Floats, kernel
 
 
@@ -79,3 +81,20 @@ def polyline_length(nodes: Floats) -> float:
     for i in range(1, len(nodes)):
         total += math.hypot(nodes[i, 0] - nodes[i - 1, 0], nodes[i, 1] - nodes[i - 1, 1])
     return total
+
+
+@kernel
+def without_needless(blocked: Bools, nodes: Floats, step: int) -> Floats:
+    """`nodes` (N, 2) without those between any node and the one `step` farther on, where the straight line is free."""
+    kept = np.empty_like(nodes)
+    kept[0, 0], kept[0, 1] = nodes[0, 0], nodes[0, 1]
+    n, at, count = len(nodes), 0, 1
+    while at < n - 1:
+        far = min(at + step, n - 1)
+        if far > at + 1 and is_free(blocked, nodes[at, 0], nodes[at, 1], nodes[far, 0], nodes[far, 1]):
+            at = far
+        else:
+            at += 1
+        kept[count, 0], kept[count, 1] = nodes[at, 0], nodes[at, 1]
+        count += 1
+    return kept[:count]

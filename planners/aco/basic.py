@@ -10,6 +10,7 @@ import numpy as np
 from planners.aco.basic_kernels import lay_on_ways, walk_basic
 from planners.aco.colony import search
 from planners.aco.finish import finished, without_path
+from planners.aco.roulette_kernels import dice
 from planners.aco.settings import ColonySettings, Count, Positive, Share
 from planners.ground import ground_of
 from planners.kernel import Floats
@@ -43,14 +44,14 @@ class AcoBasic(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=
         start, goal = ground.start.astype(np.int64), ground.goal.astype(np.int64)
         shape, longest = ground.blocked.shape, self.max_range / self.cell
         trail, laid = np.full((*shape, 8), self.initial_pheromone), np.zeros((*shape, 8))
-        visited, mark = np.zeros(shape, np.int64), 0
+        state, visited, mark = dice(rng), np.zeros(shape, np.int64), 0
         cells = np.empty((math.ceil(longest) + 2, 2), np.int64)
 
         def send() -> tuple[Floats, bool]:
             nonlocal mark
             mark += 1
             count, arrived = walk_basic(
-                ground.blocked, trail, rng, start, goal, self.pheromone_factor, self.heuristic_factor, self.to_goal,
+                ground.blocked, trail, state, start, goal, self.pheromone_factor, self.heuristic_factor, self.to_goal,
                 self.heuristic_floor, longest, visited, mark, cells,
             )  # fmt: skip
             return np.asarray(cells[:count] + 0.5, dtype=np.float64), arrived
@@ -63,7 +64,7 @@ class AcoBasic(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=
             laid[:] = 0.0
 
         found = search(ground, self.ants, self.iterations, send, lay, evaporate)
-        return finished(found, ground, scenario, self.name, 0.0)
+        return finished(found, ground, scenario, self.name, False, 0.0)
 
 
 class AcoBasicPrinted(AcoBasic, frozen=True, forbid_unknown_fields=True, kw_only=True):

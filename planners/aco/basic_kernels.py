@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from planners.aco.walk_kernels import Rng, roulette
+from planners.aco.roulette_kernels import Dice, roulette
 from planners.kernel import Bools, Floats, Ints, kernel
 
 NEIGHBOURS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)])  # i + 4: the way back
@@ -14,7 +14,7 @@ NEIGHBOURS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -
 
 @kernel
 def walk_basic(
-    blocked: Bools, trail: Floats, rng: Rng, start: Ints, goal: Ints, alpha: float, beta: float, to_goal: bool,
+    blocked: Bools, trail: Floats, dice: Dice, start: Ints, goal: Ints, alpha: float, beta: float, to_goal: bool,
     floor: float, longest: float, visited: Ints, mark: int, cells: Ints,
 ) -> tuple[int, bool]:  # fmt: skip
     """One ant from the cell `start` to `goal` (2,), column and row; how many of the rows of `cells` it filled, and
@@ -49,12 +49,12 @@ def walk_basic(
                 eta[k] = 0.0
             elif to_goal:
                 eta[k] = floor + (1.0 - floor) * (eta[k] - low) / (high - low) if high > low else 1.0
-        chosen = roulette(eta, weight, alpha, beta, rng)
+        chosen = roulette(eta, weight, alpha, beta, dice)
         column, row = column + NEIGHBOURS[chosen, 0], row + NEIGHBOURS[chosen, 1]
         length += math.sqrt(1.0 + chosen % 2)
         cells[n, 0], cells[n, 1] = column, row
         n += 1
-        if length > longest or n >= len(cells):
+        if length + math.hypot(goal[0] - column, goal[1] - row) > longest or n >= len(cells):
             return n, False
     return n, True
 

@@ -9,7 +9,7 @@ from planners.ground import Ground
 from planners.kernel import Floats
 from planners.path import Path
 from planners.planner import NO_PATH, NOT_FOUND, Plan
-from planners.rounding import Rounded, rounded
+from planners.rounding import Rounded, rounded, taut
 from planners.scenario import Scenario
 
 
@@ -26,11 +26,14 @@ def not_found(found: Found) -> Plan:
     return Plan(outcome=NOT_FOUND, reason=f"{NOT_FOUND}: {what}", history=history)
 
 
-def finished(found: Found, ground: Ground, scenario: Scenario, name: str, radius: float) -> Plan:
-    """The shortest way, its corners rounded with `radius` [m]; 0 leaves them as they are."""
+def finished(found: Found, ground: Ground, scenario: Scenario, name: str, tight: bool, radius: float) -> Plan:
+    """The shortest way, pulled taut where it is to be `tight`, its corners rounded with `radius` [m], as drawn with 0.
+
+    It is rounded as it was found: a line already taut leaves the rounding less room.
+    """
     if found.way is None:
         return not_found(found)
-    drawn = path_of(ground.to_metres(found.way), scenario, name)
+    drawn = path_of(ground.to_metres(taut(ground, found.way) if tight else found.way), scenario, name)
     if radius == 0.0:
         return Plan(paths=(drawn,), polylines=(drawn,), history=found.history)
     smooth = rounded(ground, found.way, radius)

@@ -11,6 +11,7 @@ from scipy.ndimage import maximum_filter
 from planners.aco.colony import Found, search
 from planners.aco.finish import finished, without_path
 from planners.aco.pheromone_kernels import evaporate_and_lay, lay_along, region
+from planners.aco.roulette_kernels import dice
 from planners.aco.settings import ColonySettings, Count, NotNegative, Positive, Share
 from planners.aco.walk_kernels import prune, ring, walk
 from planners.ground import Ground, cell_for_cover, ground_of
@@ -36,6 +37,7 @@ class AcoImproved(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_on
     pruning: leave out needless nodes before pheromone is laid (2.3) [false].
     pruning_longest, pruning_shortest, pruning_decay: l_c,max, l_c,min [nodes] and sigma (eq. 11; Table 1: 10, 4, 0.8).
     pheromone_on: "cells" of the pruned path, or its "nodes" only; the paper does not say which.
+    taut: pull the shortest way of all taut, for the polyline; ours [false].
     smoothing: round the corners with cubic Hermite pieces [false].
     turn_radius: [m] that these have at least where there is room: a c172x at 55 m/s and 25 deg of bank.
     """
@@ -58,6 +60,7 @@ class AcoImproved(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_on
     pruning_shortest: Count = 4
     pruning_decay: Share = 0.8
     pheromone_on: Literal["cells", "nodes"] = "cells"
+    taut: bool = True
     smoothing: bool = True
     turn_radius: NotNegative = 661.0
 
@@ -67,7 +70,8 @@ class AcoImproved(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_on
         if not ground.connected:
             return without_path(self.clearance)
         found = self.search(ground, scenario, rng)
-        return finished(found, ground, scenario, self.name, self.turn_radius if self.smoothing else 0.0)
+        radius = self.turn_radius if self.smoothing else 0.0
+        return finished(found, ground, scenario, self.name, self.taut, radius)
 
     def ground(self, scenario: Scenario) -> Ground:
         """The scenario in cells, of the size that eq. 5 asks for."""
@@ -85,13 +89,13 @@ class AcoImproved(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_on
         weights = region(self.observation_radius, self.equivalence)
         seen = np.full(ground.blocked.shape, self.initial_pheromone * weights.sum())
         laid, visited = np.zeros(ground.blocked.shape), np.zeros(ground.blocked.shape, np.int64)
-        nodes, mark = np.empty((math.ceil(longest / step) + 3, 2)), 0
+        state, nodes, mark = dice(rng), np.empty((math.ceil(longest / step) + 3, 2)), 0
 
         def send() -> tuple[Floats, bool]:
             nonlocal mark
             mark += 1
             count, arrived = walk(
-                ground.blocked, alert, seen, rng, ground.start, ground.goal, offsets, self.pheromone_factor,
+                ground.blocked, alert, seen, state, ground.start, ground.goal, offsets, self.pheromone_factor,
                 self.heuristic_factor, self.bias, longest, visited, mark, nodes,
             )  # fmt: skip
             way = nodes[:count].copy()

@@ -10,6 +10,7 @@ import numpy as np
 from planners.aco.colony import Found, search
 from planners.aco.finish import not_found, path_of, without_path
 from planners.aco.pheromone_kernels import evaporate_and_lay, lay_along, region
+from planners.aco.roulette_kernels import dice
 from planners.aco.settings import ColonySettings, Count, Positive, Share
 from planners.aco.turn_kernels import prune_turning, walk_turning
 from planners.aco.walk_kernels import ring
@@ -77,13 +78,13 @@ class AcoTurnAware(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_o
         weights = region(self.observation_radius, self.equivalence)
         seen = np.full(blocked.shape, self.initial_pheromone * weights.sum())
         laid, visited = np.zeros(blocked.shape), np.zeros(blocked.shape, np.int64)
-        nodes, mark = np.empty((math.ceil(longest / step) + 3, 2)), 0
+        state, nodes, mark = dice(rng), np.empty((math.ceil(longest / step) + 3, 2)), 0
 
         def send() -> tuple[Floats, bool]:
             nonlocal mark
             mark += 1
             count, arrived = walk_turning(
-                blocked, room, seen, rng, ground.start, ground.goal, offsets, self.pheromone_factor,
+                blocked, room, seen, state, ground.start, ground.goal, offsets, self.pheromone_factor,
                 self.heuristic_factor, self.bias, longest, RESERVE * radius, visited, mark, nodes,
             )  # fmt: skip
             way = nodes[:count].copy()

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from planners.aco.walk_kernels import Rng, eta_limit, roulette
+from planners.aco.roulette_kernels import Dice, eta_limit, roulette
+from planners.aco.walk_kernels import reach_of
 from planners.kernel import Bools, Floats, Ints, kernel
 from planners.rounding.corner_kernels import SHARPEST, is_corner_free, least_radius, turn_at
 from planners.segments import is_free
@@ -48,7 +49,7 @@ def leads_on(
     """
     rows, columns = blocked.shape
     x, y = corner[1, 0], corner[1, 1]
-    corner[2] = goal
+    corner[2, 0], corner[2, 1] = goal[0], goal[1]
     if is_free(blocked, x, y, goal[0], goal[1]) and turns(blocked, room, corner, radius):
         return True
     ahead = bearing_index(x - corner[0, 0], y - corner[0, 1], len(offsets))
@@ -65,14 +66,14 @@ def leads_on(
 
 @kernel
 def walk_turning(
-    blocked: Bools, room: Floats, attraction: Floats, rng: Rng, start: Floats, goal: Floats, offsets: Ints,
+    blocked: Bools, room: Floats, attraction: Floats, dice: Dice, start: Floats, goal: Floats, offsets: Ints,
     alpha: float, beta: float, bias: float, longest: float, radius: float, visited: Ints, mark: int, nodes: Floats,
 ) -> tuple[int, bool]:  # fmt: skip
     """One ant as in `walk`, but it steps only where each of its corners can be rounded with `radius` [cells], and only
     where from there another such corner leads on.
     """
     rows, columns = blocked.shape
-    reach = float(np.abs(offsets).max())
+    reach = reach_of(offsets)
     eta, weight = np.empty(len(offsets)), np.empty(len(offsets))
     to = np.empty((len(offsets), 2), np.int64)
     corner, onward = np.zeros((3, 2)), np.empty((3, 2))
@@ -82,12 +83,12 @@ def walk_turning(
         column, row = int(x), int(y)
         visited[row, column] = mark
         if n > 1:
-            corner[0], corner[1] = nodes[n - 2], nodes[n - 1]
+            corner[0, 0], corner[0, 1], corner[1, 0], corner[1, 1] = nodes[n - 2, 0], nodes[n - 2, 1], x, y
         home = math.hypot(goal[0] - x, goal[1] - y)
         if home <= 2.0 * reach and is_free(blocked, x, y, goal[0], goal[1]):
-            corner[2] = goal
+            corner[2, 0], corner[2, 1] = goal[0], goal[1]
             if n == 1 or turns(blocked, room, corner, radius):
-                nodes[n, 0], nodes[n, 1] = goal
+                nodes[n, 0], nodes[n, 1] = goal[0], goal[1]
                 return n + 1, length + home <= longest
         count = 0
         ahead = bearing_index(x - corner[0, 0], y - corner[0, 1], len(offsets))
@@ -113,12 +114,12 @@ def walk_turning(
         limit = eta_limit(eta[:count], bias)
         for k in range(count):
             weight[k] = attraction[to[k, 1], to[k, 0]] if eta[k] >= limit else 0.0
-        chosen = roulette(eta[:count], weight[:count], alpha, beta, rng)
+        chosen = roulette(eta[:count], weight[:count], alpha, beta, dice)
         length += math.hypot(to[chosen, 0] + 0.5 - x, to[chosen, 1] + 0.5 - y)
         x, y = to[chosen, 0] + 0.5, to[chosen, 1] + 0.5
         nodes[n, 0], nodes[n, 1] = x, y
         n += 1
-        if length > longest or n + 1 >= len(nodes):
+        if length + math.hypot(goal[0] - x, goal[1] - y) > longest or n + 1 >= len(nodes):
             return n, False
 
 
@@ -127,11 +128,13 @@ def prune_turning(
     blocked: Bools, room: Floats, nodes: Floats, longest: int, shortest: int, decay: float, radius: float
 ) -> Floats:
     """`prune`, but only where the corners at both ends can still be rounded with `radius` [cells]."""
-    kept, n, rounds = nodes.copy(), len(nodes), 0
+    kept, n, rounds = np.empty_like(nodes), len(nodes), 0
+    for i in range(n):
+        kept[i, 0], kept[i, 1] = nodes[i, 0], nodes[i, 1]
     while True:
         step = math.floor(longest * decay**rounds)
         if step < shortest:
-            return kept[:n].copy()
+            return kept[:n]
         at, count = 0, 1
         while at < n - 1:
             far = min(at + step, n - 1)
@@ -145,7 +148,7 @@ def prune_turning(
                 at = far
             else:
                 at += 1
-            kept[count] = kept[at]
+            kept[count, 0], kept[count, 1] = kept[at, 0], kept[at, 1]
             count += 1
         n = count
         rounds += 1
@@ -154,5 +157,6 @@ def prune_turning(
 @kernel
 def _turns(blocked: Bools, room: Floats, nodes: Floats, a: int, b: int, c: int, radius: float) -> bool:
     corner = np.empty((3, 2))
-    corner[0], corner[1], corner[2] = nodes[a], nodes[b], nodes[c]
+    for axis in range(2):
+        corner[0, axis], corner[1, axis], corner[2, axis] = nodes[a, axis], nodes[b, axis], nodes[c, axis]
     return turns(blocked, room, corner, radius)

@@ -67,7 +67,7 @@ def piece(nodes: Floats, radius: float, i: int) -> Floats:
     """Points (K, 2) of the piece around vertex `i`, both ends included, at most `SPACING` apart."""
     turn = turn_at(nodes, i)
     t, m = radius * math.tan(abs(turn) / 2.0), 4.0 * radius * math.tan(abs(turn) / 4.0)
-    x, y = nodes[i]
+    x, y = nodes[i, 0], nodes[i, 1]
     before = math.hypot(x - nodes[i - 1, 0], y - nodes[i - 1, 1])
     after = math.hypot(nodes[i + 1, 0] - x, nodes[i + 1, 1] - y)
     ux, uy = (x - nodes[i - 1, 0]) / before, (y - nodes[i - 1, 1]) / before
@@ -103,7 +103,7 @@ def is_leg_free(blocked: Bools, nodes: Floats, radii: Floats, i: int) -> bool:
     a, b = tangent_length(nodes, radii, i) / length, tangent_length(nodes, radii, i + 1) / length
     if a + b > 1.0:
         return False
-    x, y = nodes[i]
+    x, y = nodes[i, 0], nodes[i, 1]
     return is_free(blocked, x + a * dx, y + a * dy, x + (1.0 - b) * dx, y + (1.0 - b) * dy)
 
 
@@ -139,25 +139,3 @@ def corner_cost(nodes: Floats, radii: Floats, wanted: float, weight: float, i: i
     if turn > SHARPEST:
         return weight * wanted
     return float(weight * max(0.0, wanted - r * least_radius(turn)) - r * (2.0 * math.tan(turn / 2.0) - turn))
-
-
-@kernel
-def rounded_line(nodes: Floats, radii: Floats) -> Floats:
-    """Points (K, 2) of the line with its corners rounded."""
-    n = len(nodes)
-    pieces = [nodes[:1].copy()]
-    for i in range(1, n - 1):
-        pieces.append(piece(nodes, radii[i], i) if radii[i] > 0.0 else nodes[i : i + 1].copy())
-    pieces.append(nodes[n - 1 :].copy())
-    total = 0
-    for one in pieces:
-        total += len(one)
-    points = np.empty((total, 2))
-    at = 0
-    for one in pieces:
-        for k in range(len(one)):
-            if at > 0 and abs(one[k, 0] - points[at - 1, 0]) + abs(one[k, 1] - points[at - 1, 1]) < 1e-9:
-                continue
-            points[at] = one[k]
-            at += 1
-    return points[:at].copy()

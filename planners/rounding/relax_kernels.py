@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from planners.kernel import Bools, Floats, kernel
-from planners.rounding.corner_kernels import corner_cost, is_window_free, least_radius, turn_at, window_cost
+from planners.rounding.corner_kernels import corner_cost, is_window_free, window_cost
 
 GAIN = 1e-6  # cells that a step must gain
+DIRECTIONS = 12
 SWEEPS = 30  # at most, with one step
 
 
@@ -42,11 +41,14 @@ def _improve(blocked: Bools, nodes: Floats, radii: Floats, wanted: float, weight
     x, y, r = nodes[i, 0], nodes[i, 1], radii[i]
     best = window_cost(nodes, radii, wanted, weight, i) - GAIN
     best_x, best_y, best_r = x, y, r
-    for k in range(9):
-        angle = k * math.pi / 4.0
-        nodes[i, 0] = x + (step * math.cos(angle) if k < 8 else 0.0)
-        nodes[i, 1] = y + (step * math.sin(angle) if k < 8 else 0.0)
-        for choice in range(5):
+    before = math.atan2(y - nodes[i - 1, 1], x - nodes[i - 1, 0])
+    after = math.atan2(nodes[i + 1, 1] - y, nodes[i + 1, 0] - x)
+    for k in range(DIRECTIONS + 1):
+        # All around, and along the legs: two vertices that touch obstacles on either side cannot but slide
+        angle = k * math.pi / 4.0 if k < 8 else (before if k < 10 else after) + k % 2 * math.pi
+        reach = step if k < DIRECTIONS else 0.0
+        nodes[i, 0], nodes[i, 1] = x + reach * math.cos(angle), y + reach * math.sin(angle)
+        for choice in range(5 if wanted > 0.0 else 1):
             if choice == 0:
                 radii[i] = r
             elif choice == 1:
@@ -57,7 +59,7 @@ def _improve(blocked: Bools, nodes: Floats, radii: Floats, wanted: float, weight
                 radii[i] = max(1.02 * r, 0.01 * wanted)
             else:
                 radii[i] = 1.001 * wanted
-            if k == 8 and choice == 0:
+            if k == DIRECTIONS and choice == 0:
                 continue
             cost = window_cost(nodes, radii, wanted, weight, i)
             if cost < best and is_window_free(blocked, nodes, radii, i):
@@ -75,76 +77,3 @@ def total_cost(nodes: Floats, radii: Floats, wanted: float, weight: float) -> fl
     for i in range(1, len(nodes) - 1):
         cost += corner_cost(nodes, radii, wanted, weight, i)
     return cost
-
-
-@kernel
-def restructure(
-    blocked: Bools, nodes: Floats, radii: Floats, wanted: float, weight: float, step: float
-) -> tuple[Floats, Floats]:
-    """Where a corner lacks radius, try the line with one vertex less; keep what costs least."""
-    given_up = 0
-    while True:
-        lacking = _lacking(nodes, radii, wanted, given_up)
-        if lacking < 0:
-            return nodes, radii
-        best = total_cost(nodes, radii, wanted, weight) - GAIN
-        best_nodes, best_radii = nodes, radii
-        for choice in range(5):
-            at = lacking - 1 + choice % 3 if choice < 3 else lacking - 4 + choice
-            if at < 1 or at > len(nodes) - 2 or (choice >= 3 and at > len(nodes) - 3):
-                continue
-            fewer = _without(nodes, at) if choice < 3 else _merged(nodes, at)
-            if len(fewer) == len(nodes):
-                continue
-            rounded = np.empty(len(fewer))
-            rounded[:at] = radii[:at]
-            rounded[at:] = radii[at + 1 :]
-            for k in range(max(at - 1, 0), min(at + 2, len(fewer))):
-                rounded[k] = 0.0
-            if not is_window_free(blocked, fewer, rounded, min(at, len(fewer) - 2)):
-                continue
-            relax(blocked, fewer, rounded, wanted, weight, at - 2, at + 2, step, step / 8.0)
-            cost = total_cost(fewer, rounded, wanted, weight)
-            if cost < best:
-                best, best_nodes, best_radii = cost, fewer, rounded
-        if len(best_nodes) == len(nodes):
-            given_up += 1
-        nodes, radii = best_nodes, best_radii
-
-
-@kernel
-def _lacking(nodes: Floats, radii: Floats, wanted: float, skipped: int) -> int:
-    """The corner that lacks most radius but for `skipped` others; -1 where none does."""
-    n = len(nodes)
-    lack = np.zeros(n)
-    for i in range(1, n - 1):
-        lack[i] = wanted - radii[i] * least_radius(turn_at(nodes, i))
-    order = np.argsort(-lack)
-    if skipped >= n or lack[order[skipped]] <= 0.0:
-        return -1
-    return int(order[skipped])
-
-
-@kernel
-def _without(nodes: Floats, i: int) -> Floats:
-    fewer = np.empty((len(nodes) - 1, 2))
-    fewer[:i] = nodes[:i]
-    fewer[i:] = nodes[i + 1 :]
-    return fewer
-
-
-@kernel
-def _merged(nodes: Floats, i: int) -> Floats:
-    """Vertices `i` and i + 1 as one, where the legs beside them meet; as they are where they do not."""
-    ax, ay = nodes[i, 0] - nodes[i - 1, 0], nodes[i, 1] - nodes[i - 1, 1]
-    bx, by = nodes[i + 2, 0] - nodes[i + 1, 0], nodes[i + 2, 1] - nodes[i + 1, 1]
-    dx, dy = nodes[i + 1, 0] - nodes[i, 0], nodes[i + 1, 1] - nodes[i, 1]
-    cross = ax * by - ay * bx
-    if cross == 0.0:
-        return nodes
-    on_a, on_b = (dx * by - dy * bx) / cross, (dx * ay - dy * ax) / cross
-    if on_a < 0.0 or on_b > 0.0:
-        return nodes
-    fewer = _without(nodes, i)
-    fewer[i, 0], fewer[i, 1] = nodes[i, 0] + on_a * ax, nodes[i, 1] + on_a * ay
-    return fewer
