@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+import math
+from typing import Annotated, Any, ClassVar
 
 import msgspec
 import numpy as np
+import shapely
 
+from planners.clearance import clearance
+from planners.errors import InputError
+from planners.footprint import Disc
+from planners.kernel import Floats
+from planners.map import Circle, Map, Raster
+from planners.offset import bearings, grown, shrunk, tangents
 from planners.path import Path
-from planners.planner import Plan
+from planners.planner import NO_PATH, Plan, only_pair
 from planners.scenario import Scenario
+from planners.visibility import shortest
+
+GAP = 1e-10  # [map sizes] kept from everything, so that no path slips between obstacles that touch
+NEAR = 100.0  # [gaps] as far as a start or goal is moved out of the gap
 
 
 class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Shortest path that keeps `clearance` [m] from everything."""
+    """Shortest path that keeps `clearance` [m] from everything; it may touch, but not pass between what touches."""
 
     name: ClassVar[str] = "exact"
     summary: ClassVar[str] = "shortest path by visibility graph (Lozano-Perez and Wesley 1979)"
@@ -21,5 +33,102 @@ class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     clearance: Annotated[float, msgspec.Meta(ge=0.0)] = 0.0
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
-        """The same path for every seed."""
-        return Plan(paths=(Path(np.vstack([scenario.starts[0], scenario.goals[0]]), name=self.name),))
+        """The same path for every seed.
+
+        Arcs are drawn by tangents, so the path cuts no corner and is longer than the exact one by at most 1e-5 of the
+        straight distance for each full turn about round corners. Raises `InputError` for a start or goal that is
+        nearer than the clearance to what is forbidden.
+        """
+        ends = _ends(scenario, self.clearance, self.name)
+        points = _shortest(free_space(scenario.map, self.clearance, ends), ends)
+        if points is None:
+            room = f" with {self.clearance:g} m to spare on either side" if self.clearance else ""
+            return Plan(outcome=NO_PATH, reason=f"obstacles and edges leave no way from start to goal{room}")
+        path = Path(points, name=scenario.name, frame=scenario.map.frame)
+        return Plan(paths=(path,), smallest_radius=math.inf if len(points) == 2 else None)
+
+
+def free_space(area: Map, clearance: float, ends: Floats) -> Any:
+    """Where a point has the `clearance` [m]: polygons, clipped to what a path between `ends` (2, 2) [m] may need."""
+    span = float(np.hypot(*(ends[1] - ends[0])))
+    arc = _arc(clearance, span)
+    obstacles = [grown(shapely.Polygon(ring), clearance, arc, ends) for ring in area.polygons]
+    for circle in area.circles:
+        wide = Circle(circle.x, circle.y, circle.radius + clearance)
+        obstacles.append(shapely.Polygon(tangents(wide, step=_arc(wide.radius, span), towards=ends)))
+    if area.raster is not None:
+        obstacles.append(grown(_squares(area.raster), clearance, arc, ends))
+    blocked = shapely.union_all(obstacles)
+    if area.bounds is not None:
+        narrower = clearance if area.edge == "closed" else 0.0
+        whole = shapely.box(*np.array(area.bounds) + narrower * np.array([1.0, 1.0, -1.0, -1.0]))
+    else:
+        whole = shapely.envelope(shapely.buffer(shapely.union(blocked, shapely.MultiPoint(ends)), span))
+    outside = [whole - shrunk(shapely.Polygon(ring), clearance, arc, ends) for ring in area.keep_in]
+    for circle in area.keep_in_circles:
+        inner = Circle(circle.x, circle.y, circle.radius - clearance)
+        at = bearings(inner, 0.0, 2.0 * np.pi, _arc(inner.radius, span), ends)
+        chords = np.column_stack([inner.x + inner.radius * np.cos(at), inner.y + inner.radius * np.sin(at)])
+        outside.append(whole - shapely.Polygon(chords))
+    return whole - shapely.union_all([blocked, *outside])
+
+
+def _ends(scenario: Scenario, keep: float, planner: str) -> Floats:
+    """Start and goal (2, 2) [m], each at least `keep` [m] from what is forbidden."""
+    ends = np.array(only_pair(scenario, planner))
+    poses = np.column_stack([ends, np.zeros(2)])
+    depths = -clearance(scenario.map, poses, Disc(0.0))
+    missing = -clearance(scenario.map, poses, Disc(keep))
+    for name, end, depth, lack in zip(("start", "goal"), ends, depths, missing, strict=True):
+        if not lack <= GAP * max(scenario.size):
+            where = f"is {depth:.3g} m deep in" if depth > 0.0 else f"is {keep - lack:.3g} m from"
+            what = f"{end.tolist()} m {where} what is forbidden"
+            raise InputError(
+                f"{scenario.name}: {name}",
+                what + (f", nearer than the clearance of {keep:g} m" if keep else ""),
+                "move it to free ground" + (", or give less clearance" if keep else ""),
+            )
+    if (ends[0] == ends[1]).all():
+        raise InputError(scenario.name, f"start and goal are both at {ends[0].tolist()} m", "move one of them")
+    return ends
+
+
+def _shortest(free: Any, ends: Floats) -> Floats | None:
+    """The corners (N, 2) [m] of the shortest line between the `ends` (2, 2) in the polygons `free`, if there is any."""
+    west, south, east, north = shapely.bounds(free)
+    size = max(east - west, north - south)
+    gap = GAP * size
+    ways = []
+    for part in shapely.get_parts(shapely.buffer(free, -gap, join_style="mitre")):
+        inner = shapely.buffer(part, -gap / 4.0, join_style="mitre")
+        starts, goals = (_inside(inner, shapely.Point(end), NEAR * gap) for end in ends)
+        ways += [shortest(part, start, goal) for start in starts for goal in goals]
+    if not ways:
+        return None
+    way = min(ways, key=lambda points: float(np.hypot(*np.diff(points, axis=0).T).sum()))
+    way[[0, -1]] = ends
+    line = shapely.simplify(shapely.LineString(way), 2.0 * gap, preserve_topology=False)
+    return np.asarray(shapely.get_coordinates(line), dtype=float)
+
+
+def _inside(area: Any, end: Any, reach: float) -> list[Floats]:
+    """The points (2,) of `area` nearest to `end`, up to `reach` [m] away; several where obstacles touch at the end."""
+    pieces = shapely.get_parts(shapely.intersection(area, shapely.buffer(end, reach)))
+    return [shapely.get_coordinates(shapely.shortest_line(piece, end))[0] for piece in pieces if not piece.is_empty]
+
+
+def _arc(radius: float, span: float) -> float:
+    """The angle [rad] between tangents of an arc, which in a full turn lengthen it by at most 1e-5 `span` [m].
+
+    An arc is longer along its tangents by the square of that angle / 12.
+    """
+    return float(np.clip(np.sqrt(12e-5 / (2.0 * np.pi) * span / max(radius, 1e-4 * span)), 0.01, 0.2))
+
+
+def _squares(raster: Raster) -> Any:
+    """The blocked cells as polygons [m]."""
+    steps = np.diff(np.pad(raster.blocked, ((0, 0), (1, 1))).astype(np.int8), axis=1)
+    row, west = np.nonzero(steps == 1)
+    east = np.nonzero(steps == -1)[1]
+    x, y = (raster.x + np.array([west, east]) * raster.cell), raster.y + np.array([row, row + 1]) * raster.cell
+    return shapely.simplify(shapely.union_all(shapely.box(x[0], y[0], x[1], y[1])), 0.0)
