@@ -13,11 +13,12 @@ from planners.errors import InputError
 from planners.inflate import inflated
 from planners.kernel import Bools, Floats
 from planners.map import Map
-from planners.occupancy import occupancy
+from planners.occupancy import extent, occupancy
 from planners.planner import only_pair
 from planners.scenario import Scenario
 
 MOST_CELLS = 50_000_000
+HALVINGS = 6  # of a cell, at most, until obstacles cover enough of their cells
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,8 +87,6 @@ def cover_ratio(area: Map, cell: float) -> float:
 
 
 def _blocked_area(one: Map, cell: float) -> float:
-    from planners.occupancy import extent
-
     x_min, y_min, x_max, y_max = extent(one)
     # Cells lie on a grid through the map's corner, wherever the obstacle is
     bounds = (math.floor(x_min / cell) * cell, math.floor(y_min / cell) * cell, x_max, y_max)
@@ -97,8 +96,9 @@ def _blocked_area(one: Map, cell: float) -> float:
 def cell_for_cover(area: Map, least: float, largest: float) -> float:
     """The largest cell [m], from `largest` down by halves, whose `cover_ratio` exceeds `least` (paper 000, eq. 5)."""
     cell = largest
-    for _ in range(12):
+    for _ in range(HALVINGS):
         if cover_ratio(area, cell) > least:
             return cell
         cell /= 2.0
-    raise InputError("cover", f"cells of {cell:g} m cover less than {least:g}", "give a smaller ratio")
+    what = f"even in cells of {2.0 * cell:g} m an obstacle covers no more than that of those it blocks"
+    raise InputError(f"cover: {least:g}", what, "give a smaller ratio")
