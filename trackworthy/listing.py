@@ -32,7 +32,7 @@ def main(args: argparse.Namespace) -> int:
 def _planners() -> list[str]:
     from planners.all_planners import ALL_PLANNERS
 
-    return [f"{planner.name:<14}{planner.summary}" for planner in ALL_PLANNERS]
+    return [f"{planner.name:<19}{planner.summary}" for planner in ALL_PLANNERS]
 
 
 def _planner_settings() -> list[str]:

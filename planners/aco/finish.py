@@ -16,14 +16,14 @@ from planners.scenario import Scenario
 def without_path(clearance: float) -> Plan:
     """The answer where a flood fill does not reach the goal."""
     what = f"no free cells lead from the start to the goal with {clearance:g} m of clearance"
-    return Plan(outcome=NO_PATH, reason=f"{NO_PATH}: {what}")
+    return Plan(outcome=NO_PATH, reason=what)
 
 
 def not_found(found: Found) -> Plan:
     """The answer where no ant arrived, though a way exists."""
     history = found.history
     what = f"none of {history.population} ants arrived in any of {len(history.survivors)} iterations"
-    return Plan(outcome=NOT_FOUND, reason=f"{NOT_FOUND}: {what}", history=history)
+    return Plan(outcome=NOT_FOUND, reason=what, history=history)
 
 
 def finished(found: Found, ground: Ground, scenario: Scenario, name: str, tight: bool, radius: float) -> Plan:

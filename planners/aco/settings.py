@@ -1,4 +1,4 @@
-"""What basic and improved colonies have in common of Table 1 in paper 000."""
+"""The settings of colonies: Table 1 of paper 000, under names of their own."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ Positive = Annotated[float, msgspec.Meta(gt=0.0, le=1e9)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Count = Annotated[int, msgspec.Meta(ge=1, le=100_000)]
+Layers = Annotated[int, msgspec.Meta(ge=0, le=100)]
 
 
 class ColonySettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -33,3 +34,30 @@ class ColonySettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw
     evaporation: Share = 0.6
     max_range: Positive = 5000.0
     clearance: NotNegative = 20.0
+
+
+class RingSettings(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """Settings of colonies whose ants step to a ring around them and prune their ways, with the values of Table 1.
+
+    iterations: how often the ants set out (Table 2: 10).
+    cell: l_m, side of a cell [map units] (Table 1: 1).
+    sampling: l_s, cells between candidates on the ring (eq. 7; Table 1: 2).
+    bias: C of the biased roulette (eq. 8; Table 1: 0.5); 0 is off.
+    observation_radius: r, layers of cells in the equivalent pheromone (eq. 10; Table 1: 2); 0 is off.
+    equivalence: mu, the weight of each layer against the one inside it (eq. 10; Table 1: 0.5).
+    pruning_longest: l_c,max, nodes left out at once in the first round of pruning (eq. 11; Table 1: 10).
+    pruning_shortest: l_c,min, nodes left out at once in the last round (eq. 11; Table 1: 4).
+    pruning_decay: sigma, by which that shrinks from round to round (eq. 11; Table 1: 0.8).
+    turn_radius: [m] that curves have at least: a c172x at 55 m/s and 25 deg of bank.
+    """
+
+    iterations: Count = 10
+    cell: Positive = 1.0
+    sampling: Count = 2
+    bias: Share = 0.5
+    observation_radius: Layers = 2
+    equivalence: Share = 0.5
+    pruning_longest: Count = 10
+    pruning_shortest: Count = 4
+    pruning_decay: Annotated[float, msgspec.Meta(ge=0.0, le=0.99)] = 0.8
+    turn_radius: Positive = 661.0
