@@ -23,7 +23,7 @@ from planners.scenario import Scenario
 class AcoImproved(RingSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """Improved ant colony (Li et al., paper 000). Settings beside those of every colony with rings:
 
-    cover: lambda, the least share of their cells that obstacles cover; `cell` is then the largest tried (eq. 5); 0: off.
+    cover: lambda, least share of their cells that obstacles cover; `cell` is then the largest tried (eq. 5); 0 is off.
     step: l_c, cells from an ant to the square ring it steps to (Table 1: 8); 1, with a sampling of 1, is off.
     steps: N_c, how many steps the straight way would take; where given, it decides `step` (eq. 6).
     alert_zone: check for collisions only where an obstacle is within a step; false checks everywhere.
