@@ -42,7 +42,7 @@ class AcoBasic(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=
         if not ground.connected:
             return without_path(self.clearance)
         start, goal = ground.start.astype(np.int64), ground.goal.astype(np.int64)
-        shape, longest = ground.blocked.shape, self.max_range / self.cell
+        shape, longest = ground.blocked.shape, self.longest(scenario) / ground.cell
         trail, laid = np.full((*shape, 8), self.initial_pheromone), np.zeros((*shape, 8))
         state, visited, mark = dice(rng), np.zeros(shape, np.int64), 0
         cells = np.empty((math.ceil(longest) + 2, 2), np.int64)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from planners.aco.roulette_kernels import Dice, roulette
+from planners.aco.roulette_kernels import TRACE, Dice, roulette
 from planners.kernel import Bools, Floats, Ints, kernel
 
 NEIGHBOURS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)])  # i + 4: the way back
@@ -38,7 +38,7 @@ def walk_basic(
                 continue
             if k % 2 == 1 and (blocked[row, c] or blocked[r, column]):  # it would cut the corner of a blocked cell
                 continue
-            weight[k] = trail[row, column, k]
+            weight[k] = max(trail[row, column, k], TRACE)
             apart = math.hypot(goal[0] - c, goal[1] - r) if to_goal else math.sqrt(1.0 + k % 2)
             eta[k] = 1.0 / max(apart, 0.5)
             low, high = min(low, eta[k]), max(high, eta[k])

@@ -64,7 +64,7 @@ class AcoImproved(RingSettings, frozen=True, forbid_unknown_fields=True, kw_only
     def search(self, ground: Ground, scenario: Scenario, rng: np.random.Generator) -> Found:
         """The colony's ways through `ground`."""
         step = self.step if self.steps is None else math.ceil(math.dist(ground.start, ground.goal) / self.steps)
-        offsets, longest = ring(step, min(self.sampling, step)), self.max_range * scenario.unit / ground.cell
+        offsets, longest = ring(step, min(self.sampling, step)), self.longest(scenario) / ground.cell
         alert = maximum_filter(ground.blocked, 2 * step + 1) if self.alert_zone else np.ones_like(ground.blocked)
         pheromone = Pheromone(self, ground, scenario, self.pheromone_on == "nodes")
         state, visited, mark = dice(rng), np.zeros(ground.blocked.shape, np.int64), 0

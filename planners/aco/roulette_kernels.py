@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from planners.kernel import Floats, kernel
 
+TRACE = 1e-300  # pheromone of what may be chosen, where all of it has evaporated
 Dice = NDArray[np.uint64]  # (1,): state of a generator, which a kernel takes 50 times as fast as numpy's
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import msgspec
+
+from planners.scenario import Scenario
 
 Positive = Annotated[float, msgspec.Meta(gt=0.0, le=1e9)]
 NotNegative = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
@@ -22,7 +25,7 @@ class ColonySettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw
     pheromone_factor: alpha, how strongly pheromone attracts (eq. 1; Table 1: 6).
     heuristic_factor: beta, how strongly the goal attracts (eq. 1; Table 1: 3).
     evaporation: rho, the share that is gone by the next iteration (eq. 4; Table 1: 0.6).
-    max_range: [map units] beyond which an ant dies (Table 1: 5000).
+    max_range: [map units] beyond which an ant dies, if the scenario's own range is not less (Table 1: 5000).
     clearance: [m] kept from obstacles: half a span, and what tracking errors take.
     """
 
@@ -34,6 +37,10 @@ class ColonySettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw
     evaporation: Share = 0.6
     max_range: Positive = 5000.0
     clearance: NotNegative = 20.0
+
+    def longest(self, scenario: Scenario) -> float:
+        """How long [m] a way may be: the colony's range, or the scenario's where that is less."""
+        return min(self.max_range * scenario.unit, scenario.max_range or math.inf)
 
 
 class RingSettings(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=True):

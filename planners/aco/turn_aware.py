@@ -60,7 +60,7 @@ class AcoTurnAware(RingSettings, frozen=True, forbid_unknown_fields=True, kw_onl
         """The colony's ways through `ground`."""
         blocked, radius = ground.blocked, RESERVE * self.turn_radius / ground.cell
         step = self.step or math.ceil(radius)
-        offsets, longest = ring(step, min(self.sampling, step)), self.max_range * scenario.unit / ground.cell
+        offsets, longest = ring(step, min(self.sampling, step)), self.longest(scenario) / ground.cell
         room = clearance_field(Grid(blocked, 1.0), beyond=True)
         pheromone = Pheromone(self, ground, scenario)
         state, visited, mark = dice(rng), np.zeros(blocked.shape, np.int64), 0

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from planners.aco.roulette_kernels import Dice, eta_limit, roulette
+from planners.aco.roulette_kernels import TRACE, Dice, eta_limit, roulette
 from planners.aco.walk_kernels import reach_of
 from planners.kernel import Bools, Floats, Ints, kernel
 from planners.rounding.corner_kernels import SHARPEST, is_corner_free, least_radius, turn_at
@@ -113,7 +113,7 @@ def walk_turning(
             return n, False
         limit = eta_limit(eta[:count], bias)
         for k in range(count):
-            weight[k] = attraction[to[k, 1], to[k, 0]] if eta[k] >= limit else 0.0
+            weight[k] = max(attraction[to[k, 1], to[k, 0]], TRACE) if eta[k] >= limit else 0.0
         chosen = roulette(eta[:count], weight[:count], alpha, beta, dice)
         length += math.hypot(to[chosen, 0] + 0.5 - x, to[chosen, 1] + 0.5 - y)
         x, y = to[chosen, 0] + 0.5, to[chosen, 1] + 0.5

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from planners.aco.roulette_kernels import Dice, eta_limit, roulette
+from planners.aco.roulette_kernels import TRACE, Dice, eta_limit, roulette
 from planners.kernel import Bools, Floats, Ints, kernel
 from planners.segments import is_free, without_needless
 
@@ -77,7 +77,7 @@ def walk(
         for k in range(count):
             c, r = to[k, 0], to[k, 1]
             within = eta[k] >= limit and (checked[k] or is_free(blocked, x, y, c + 0.5, r + 0.5))
-            weight[k] = attraction[r, c] if within else 0.0
+            weight[k] = max(attraction[r, c], TRACE) if within else 0.0
         chosen = roulette(eta[:count], weight[:count], alpha, beta, dice)
         length += math.hypot(to[chosen, 0] + 0.5 - x, to[chosen, 1] + 0.5 - y)
         x, y = to[chosen, 0] + 0.5, to[chosen, 1] + 0.5

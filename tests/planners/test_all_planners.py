@@ -1,5 +1,7 @@
 """What holds for every planner."""
 
+import dataclasses
+
 import msgspec
 import numpy as np
 import pytest
@@ -82,6 +84,17 @@ def test_a_larger_map_with_a_larger_vehicle_has_the_same_path(name):
     path = plan_with(small(name), ONE_CIRCLE, 3).paths[0]
     shrunk = plan_with(small(name, clearance=small(name).clearance / UNIT, turn_radius=5.0), once, 3).paths[0]
     assert shrunk.length * UNIT == pytest.approx(path.length, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", [name for name in FINDING if name != "exact"])
+def test_a_colony_goes_on_where_all_pheromone_has_evaporated(name):
+    assert plan_with(small(name, evaporation=1.0), GATE, 1).paths
+
+
+@pytest.mark.parametrize("name", [name for name in FINDING if name != "exact"])
+def test_no_ant_goes_beyond_the_scenarios_range(name):
+    short = dataclasses.replace(ONE_CIRCLE, max_range=112.0 * UNIT)  # the straight way is 110, and not free
+    assert plan_with(small(name), short, 1).outcome == NOT_FOUND
 
 
 @pytest.mark.parametrize("name", NAMES)
