@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 
 from campaigns.case import Case
+from campaigns.claims import Claim, check_claims
 from campaigns.expand import expanded
 from campaigns.limits import Limit, check_names
 from campaigns.scale_search import ScaleSearch
@@ -27,7 +28,8 @@ class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The file: a `name` for the folder of its results, a `title` for its report, a `seed`, the cases, and searches
     for the smallest scale.
 
-    `timeout` [s] of wall time is what one trial may take; `check` replaces the gate's default limits by metric.
+    `timeout` [s] of wall time is what one trial may take; `check` replaces the gate's default limits by metric. Claims
+    of papers stand in the report under what their planners gave here, and the `note` below them.
     """
 
     name: str
@@ -38,6 +40,8 @@ class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     keep_tracks: KeepTracks = "worst"
     timeout: Annotated[float, msgspec.Meta(gt=0.0)] = 300.0
     check: dict[str, dict[str, Any]] = {}
+    claim: tuple[Claim, ...] = ()
+    note: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +58,8 @@ class Campaign:
     keep_tracks: KeepTracks = "worst"
     timeout: float = 300.0
     check: dict[str, Limit] = field(default_factory=dict)
+    claims: tuple[Claim, ...] = ()
+    note: str = ""
 
     @property
     def trials(self) -> int:
@@ -85,6 +91,7 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
             raise InputError(str(file), f"{name!r} is no name", "use letters, digits, spaces")
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(str(file), f"two cases are called {twice!r}", "give one of their blocks another name")
+    check_claims(content.claim, cases, str(file))
     if unknown := next((name for name in only if name not in names), None):
         raise InputError(str(file), f"it has no case {unknown!r}", suggestion(unknown, names))
     return Campaign(
@@ -98,6 +105,8 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         keep_tracks=content.keep_tracks,
         timeout=content.timeout,
         check=limits,
+        claims=content.claim,
+        note=content.note,
     )
 
 

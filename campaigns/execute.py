@@ -12,6 +12,7 @@ from campaigns.attempt import Attempt
 from campaigns.campaign import Campaign
 from campaigns.folder import opened
 from campaigns.lanes import Lanes
+from campaigns.plan_statistics import PlannedBy, planned_by
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
 from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials
@@ -33,12 +34,13 @@ Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable
 class Finished:
     """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name.
 
-    `scales` holds what the searches for the smallest scale found.
+    `scales` holds what the searches for the smallest scale found, `plans` what the planners of ours did.
     """
 
     results: list[CaseResult]
     outcomes: dict[str, Outcome]
     scales: list[ScaleResult]
+    plans: list[PlannedBy]
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,8 +99,9 @@ def execute(
             outcomes = _worst(campaign, cases, results, folder, lanes)
         with machines.lanes(SCALES * campaign.timeout) as lanes:
             scales = run_searches(searches, folder, lanes)
-        write_summary(campaign, results, folder / "summary.json", scales)
-        return Finished(results, outcomes, scales)
+        plans = planned_by(cases, campaign.claims, folder)
+        write_summary(campaign, results, folder / "summary.json", scales, plans)
+        return Finished(results, outcomes, scales, plans)
 
 
 def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:

@@ -50,11 +50,14 @@ class Plan:
         """Whether the planner's answer lies in `folder`."""
         return (self.file if isinstance(self.planner, OutsidePlanner) else self.facts)(folder).exists()
 
+    def told(self, folder: FilePath) -> PlanFacts | None:
+        """The facts as they were stored; None where the planner failed."""
+        facts = self.facts(folder)
+        return msgspec.json.decode(facts.read_bytes(), type=PlanFacts) if facts.exists() else None
+
     def load(self, folder: FilePath) -> Path | str:
         """The path as it was stored, or the reason why there is none."""
-        facts = self.facts(folder)
-        if not self.file(folder).exists() and facts.exists():
-            told = msgspec.json.decode(facts.read_bytes(), type=PlanFacts)
+        if not self.file(folder).exists() and (told := self.told(folder)):
             return told.reason or told.outcome
         path = files.read(self.file(folder)).path
         return Path(path.points, name=self.scenario.name, frame=self.scenario.map.frame)

@@ -47,6 +47,7 @@ def write_resolved(
         "name": campaign.name, "title": campaign.title, "seed": campaign.seed, "keep_tracks": campaign.keep_tracks,
         "timeout": campaign.timeout, "check": msgspec.to_builtins(campaign.check), "case": written,
         "smallest_scale": [_without_none(msgspec.to_builtins(search)) for search in scales],
+        "note": campaign.note, "claim": [_without_none(msgspec.to_builtins(claim)) for claim in campaign.claims],
     }  # fmt: skip
     with atomic(folder / RESOLVED) as temporary:
         temporary.write_text(tomli_w.dumps(content), encoding="utf-8")

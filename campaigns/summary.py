@@ -10,6 +10,7 @@ import msgspec
 
 from campaigns.campaign import Campaign
 from campaigns.case import Case
+from campaigns.plan_statistics import PlannedBy
 from campaigns.scale_steps import Step
 from campaigns.scales import ScaleResult
 from campaigns.statistics import Band, CaseStatistics, Summary, statistics
@@ -64,7 +65,11 @@ def results_of(cases: Sequence[Case], store: Store) -> list[CaseResult]:
 
 
 def write_summary(
-    campaign: Campaign, results: Sequence[CaseResult], file: Path, scales: Sequence[ScaleResult] = ()
+    campaign: Campaign,
+    results: Sequence[CaseResult],
+    file: Path,
+    scales: Sequence[ScaleResult] = (),
+    plans: Sequence[PlannedBy] = (),
 ) -> None:
     """Write `summary.json`."""
     about: Json = {
@@ -77,6 +82,7 @@ def write_summary(
         "passed": sum(result.passed for result in results),
         "cases": [_case(result) for result in results],
         "smallest_scales": [_scale(result) for result in scales],
+        "plans": [_plans(one) for one in plans],
     }
     text = msgspec.json.format(msgspec.json.encode(about), indent=2).decode()
     write_text(file, f"{text}\n")
@@ -107,6 +113,18 @@ def _case(result: CaseResult) -> Json:
         "spread": found.spread,
         "metrics": {name: _metric(one, *result.units[name]) for name, one in found.metrics.items()},
         "band": _band(found.band),
+    }
+
+
+def _plans(one: PlannedBy) -> Json:
+    return {
+        "planner": one.planner.name,
+        "settings": msgspec.to_builtins(one.planner),
+        "scenario": one.scenario.name,
+        "map_unit": one.scenario.unit,
+        "clearance": one.planner.clearance,
+        **msgspec.to_builtins(one.statistics),
+        "claims": [msgspec.to_builtins(claim) for claim in one.claims],
     }
 
 

@@ -1,0 +1,124 @@
+"""The plans of a campaign's own planners summed up: how many found a path, and what those are like."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+import msgspec
+
+from campaigns.claims import Claim
+from campaigns.plans import Plan
+from campaigns.ready import ReadyCase
+from planners.facts import PlanFacts
+from planners.outside import OutsidePlanner
+from planners.planner import Planner
+from planners.scenario import Scenario
+
+FAILED = "failed"  # of a plan whose planner did
+
+
+class Spread(msgspec.Struct, frozen=True):
+    """A quantity over plans."""
+
+    median: float
+    worst: float
+
+
+class PlanStatistics(msgspec.Struct, frozen=True, kw_only=True):
+    """Plans of as many `seeds`: lengths in metres, angles in degrees; None for what they have not.
+
+    `found` of them have a path, and `missing` counts the others by how they are called. `turn_1` and `turn_5` are the
+    largest turns of paths sampled every 1 and 5 map units, `smallest_radius` is that of the tightest curve, and
+    `cornered` counts paths with corners, which have no radius. Of searches, `survivors` is the median of those of
+    `population` that arrived in the last of `iterations`, and `converged` that of the first within 1 % of the best.
+    """
+
+    seeds: int
+    found: int
+    missing: dict[str, int]
+    exact_length: float | None = None
+    length: Spread | None = None
+    length_ratio: Spread | None = None
+    turn_1_deg: float | None = None
+    turn_5_deg: float | None = None
+    smallest_radius: float | None = None
+    cornered: int = 0
+    population: int = 0
+    iterations: int = 0
+    survivors: float | None = None
+    converged: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedBy:
+    """A planner with its settings on a scenario: its `statistics`, and the `case` that is the first to fly its plans.
+
+    `seed` is that of the first it answered, None where it always failed; `claims` are what others say of it.
+    """
+
+    planner: Planner
+    scenario: Scenario
+    seed: int | None
+    case: str
+    statistics: PlanStatistics
+    claims: tuple[Claim, ...] = ()
+
+
+def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
+    """Those of at least one plan, a seed each; None stands for one whose planner failed."""
+    told = [one for one in facts if one is not None]
+    paths = [one for one in told if one.length is not None]
+    searches = [one for one in told if one.survivors]
+    missing = Counter(FAILED if one is None else one.outcome for one in facts if one is None or one.length is None)
+    return PlanStatistics(
+        seeds=len(facts),
+        found=len(paths),
+        missing=dict(sorted(missing.items())),
+        exact_length=max(_known(one.exact_length for one in paths), default=None),
+        length=_spread(one.length for one in paths),
+        length_ratio=_spread(one.length_ratio for one in paths),
+        turn_1_deg=max(_known(one.turn_angle_1_unit_deg for one in paths), default=None),
+        turn_5_deg=max(_known(one.turn_angle_5_units_deg for one in paths), default=None),
+        smallest_radius=min(_known(one.smallest_radius for one in paths), default=None),
+        cornered=sum(one.smallest_radius is None and bool(one.turn_angle_max_deg) for one in paths),
+        population=max((one.population for one in searches), default=0),
+        iterations=max((len(one.survivors) for one in searches), default=0),
+        survivors=median(one.survivors[-1] for one in searches) if searches else None,
+        converged=median(arrived) if (arrived := _known(one.converged for one in searches)) else None,
+    )
+
+
+def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path) -> list[PlannedBy]:
+    """Every planner of ours with its settings on each scenario, in the order of the cases, its plans as they lie in the
+    results `folder`. A claim stands by the first of its planner.
+    """
+    plans: dict[tuple[Scenario, Planner], dict[str, Plan]] = {}
+    first: dict[tuple[Scenario, Planner], str] = {}
+    for ready in cases:
+        for plan in ready.plans:
+            if not isinstance(plan.planner, OutsidePlanner):
+                plans.setdefault((plan.scenario, plan.planner), {})[plan.key] = plan
+                first.setdefault((plan.scenario, plan.planner), ready.case.name)
+    found: list[PlannedBy] = []
+    for (scenario, planner), group in plans.items():
+        facts = [plan.told(folder) for plan in group.values()]
+        again = any(one.planner.name == planner.name for one in found)
+        own = () if again else tuple(claim for claim in claims if claim.planner == planner.name)
+        seed = next((one.seed for one in facts if one is not None), None)
+        found.append(PlannedBy(planner, scenario, seed, first[scenario, planner], statistics_of(facts), own))
+    return found
+
+
+def _spread(values: Iterable[float | None]) -> Spread | None:
+    known = _known(values)
+    return Spread(median(known), max(known)) if known else None
+
+
+def _known(values: Iterable[float | None]) -> list[float]:
+    """Without what is missing or, as the radius of a straight path, not finite."""
+    return [value for value in values if value is not None and math.isfinite(value)]
