@@ -5,7 +5,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -22,9 +21,6 @@ from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.words import reason, setting, verdict_words
 from tracking.outcome import Outcome
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 _HEAD, _MAP, _LABELS, _KEY, _BOTTOM = 0.86, 2.1, 0.44, 0.42, 0.06  # [in]
 _WIDE, _GAP = 3.3, 0.7  # [in] of a map, and from it to the series
 _COLUMNS, _LINES = 122, 2  # characters in a line of the reason, and lines at most
@@ -33,8 +29,8 @@ _COLUMNS, _LINES = 122, 2  # characters in a line of the reason, and lines at mo
 def save_flown_figure(outcomes: Sequence[Outcome], file: str | Path) -> None:
     """Write the picture of `outcomes` in their order as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    Their errors are on the same scale. The same outcomes give the same bytes. Raises `InputError` where the folder does
-    not exist.
+    Each error is on a scale that holds it and the corridor, so that runs within one corridor have the same. The same
+    outcomes give the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
         save(flown_figure(outcomes), file)
@@ -44,16 +40,12 @@ def flown_figure(outcomes: Sequence[Outcome]) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     step = _HEAD + _MAP + _LABELS
     figure = new_figure(len(outcomes) * step + _KEY + _BOTTOM)
-    errors = []
     for i, outcome in enumerate(outcomes):
         top = i * step + _HEAD
         _draw_head(figure, outcome, i * step)
         _draw_world(figure, outcome, Box(LEFT, top, _WIDE, _MAP))
         left = LEFT + _WIDE + _GAP
-        errors.append(_draw_error(figure, outcome, Box(left, top, WIDTH - RIGHT - left, _MAP)))
-    ceiling = max(axes.get_ylim()[1] for axes in errors)
-    for axes in errors:
-        axes.set_ylim(-ceiling, ceiling)
+        _draw_error(figure, outcome, Box(left, top, WIDTH - RIGHT - left, _MAP))
     _draw_key(figure, outcomes)
     return figure
 
@@ -96,7 +88,7 @@ def _draw_world(figure: Figure, outcome: Outcome, box: Box) -> None:
     axes.set(xlabel=f"east [{unit}]", ylabel=f"north [{unit}]")
 
 
-def _draw_error(figure: Figure, outcome: Outcome, box: Box) -> Axes:
+def _draw_error(figure: Figure, outcome: Outcome, box: Box) -> None:
     axes = place(figure, box.left, box.top, box.width, box.height)
     scale, unit = length_unit(outcome.path.length)
     axes.set_xlim(-0.01 * outcome.path.length, 1.01 * outcome.path.length)
@@ -105,4 +97,3 @@ def _draw_error(figure: Figure, outcome: Outcome, box: Box) -> Axes:
     ticks(axes.yaxis, box.height / HIGH)
     ticks(axes.xaxis, box.width / BROAD, scale)
     axes.set_xlabel(f"distance along the path [{unit}], left is positive")
-    return axes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,6 +13,7 @@ from campaigns.summary import CaseResult
 from planners.atomic_file import atomic
 from reports.json_result import Json
 from reports.pdf_case import case_data
+from reports.pdf_plans import Section, section_data
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
 from reports.scale_words import scale_row
@@ -31,16 +33,17 @@ def write_pdf(
     commands: Sequence[str] = (),
     results: Sequence[CaseResult] = (),
     scales: Sequence[ScaleResult] = (),
+    plans: Sequence[Section] = (),
 ) -> None:
     """Write the report on `outcomes` under `title`: the same outcomes give the same bytes.
 
     `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
     its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case. `scales`
-    are what its searches for the smallest scale found. The file appears whole or not at all. Raises `InputError` where
-    its folder does not exist, `TrackworthyError` where typst fails.
+    are what its searches for the smallest scale found, `plans` what is told of its planners' plans. The file appears
+    whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where typst fails.
     """
     with tempfile.TemporaryDirectory(prefix="trackworthy-pdf-") as folder, atomic(file) as temporary:
-        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results, scales))
+        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results, scales, plans))
 
 
 def _compiled(
@@ -51,6 +54,7 @@ def _compiled(
     commands: Sequence[str],
     results: Sequence[CaseResult],
     scales: Sequence[ScaleResult],
+    plans: Sequence[Section],
 ) -> bytes:
     import typst
 
@@ -69,6 +73,7 @@ def _compiled(
     searches = [scale_row(result) for result in scales]
     told = {
         "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases, "scales": searches,
+        "plans": [_plans(section, folder, number) for number, section in enumerate(plans)],
     }  # fmt: skip
     data = json.dumps(told, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
@@ -85,6 +90,14 @@ def _compiled(
     except typst.TypstError as error:
         raise TrackworthyError(f"the PDF could not be typeset: {error}") from error
     return bytes(pdf)
+
+
+def _plans(section: Section, folder: Path, number: int) -> Json:
+    """The section on the plans of one scenario, its pictures copied to `folder`: typst sees no other."""
+    files = [f"plans-{number}-{i}.png" for i in range(len(section.pictures))]
+    for file, picture in zip(files, section.pictures, strict=True):
+        shutil.copyfile(picture.file, folder / file)
+    return section_data(section, files)
 
 
 def _trials(result: CaseResult, outcome: Outcome, folder: Path, number: int) -> Json:

@@ -85,9 +85,10 @@ def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
 
 
 def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
-    """The report and its figures: of each case the worst trial, and all trials where there are several."""
+    """The report and its figures: the plans, of each case the worst trial, and all trials where there are several."""
     from campaigns.campaign import replay_command
     from reports.pdf import write_pdf
+    from reports.pdf_plans import plan_sections
     from reports.slug import slug
     from reports.track_figure import save_track_figure
     from reports.trials_figure import save_trials_figure
@@ -107,9 +108,10 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
             save_trials_figure(result, outcome, figures / f"{stem}-trials.png")
         outcomes.append(outcome)
         commands.append(replay_command(called, case.name, result.worst.trial))
+    plans = plan_sections(finished.plans, finished.results, finished.outcomes, campaign.note, figures)
     write_pdf(
         outcomes, folder / "report.pdf", campaign.title,
-        commands=commands, results=finished.results, scales=finished.scales,
+        commands=commands, results=finished.results, scales=finished.scales, plans=plans,
     )  # fmt: skip
 
 

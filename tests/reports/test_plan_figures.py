@@ -130,11 +130,14 @@ def test_the_iterations_shown():
         shown_iterations(0)
 
 
-def test_one_error_scale_for_all_runs(yard, sharp_yard):
+def test_runs_within_one_corridor_have_one_error_scale(yard, sharp_yard):
+    """One that leaves it has its own, or the others would be flat lines."""
     with style():
-        figure = flown_figure([yard, sharp_yard])
-    limits = {axes.get_ylim() for axes in figure.axes if axes._left_title.get_text().startswith("Cross-track")}
-    assert len(limits) == 1
+        figure = flown_figure([yard, dataclasses.replace(yard, name="again"), sharp_yard])
+    axes = [axes for axes in figure.axes if axes._left_title.get_text().startswith("Cross-track")]
+    first, second, beyond = (one.get_ylim()[1] for one in axes)
+    assert first == second == pytest.approx(1.3 * yard.corridor)
+    assert beyond > 2.0 * first
     text = words(figure)
     assert "✓ TRACKWORTHY" in text
     assert "✗ NOT TRACKWORTHY" in text

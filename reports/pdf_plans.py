@@ -1,0 +1,72 @@
+"""The PDF's section on plans as data for its template: for each scenario a table and pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from campaigns.plan_statistics import PlannedBy
+from campaigns.summary import CaseResult
+from planners.scenario import Scenario
+from reports.json_result import Json
+from reports.plan_pictures import Picture, draw_plans
+from reports.plan_rows import labels, plan_row, yardsticks
+from reports.quantity import text
+from reports.slug import slug
+from tracking.outcome import Outcome
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """The plans on one scenario: a line `about` it, the rows of its table, a note under them, and pictures."""
+
+    scenario: str
+    about: str
+    rows: list[Json]
+    note: str
+    pictures: list[Picture]
+
+
+def plan_sections(
+    plans: Sequence[PlannedBy],
+    results: Sequence[CaseResult],
+    outcomes: Mapping[str, Outcome],
+    note: str,
+    folder: Path,
+) -> list[Section]:
+    """A section a scenario, its pictures drawn to PNG files in `folder`.
+
+    The `note` stands under the first table with claims, or else under the first.
+    """
+    scenarios = list(dict.fromkeys(one.scenario for one in plans))
+    groups = [[one for one in plans if one.scenario is scenario] for scenario in scenarios]
+    noted = next((i for i, group in enumerate(groups) if any(one.claims for one in group)), 0)
+    sections = []
+    for i, (scenario, group) in enumerate(zip(scenarios, groups, strict=True)):
+        named = dict(zip(labels(group), group, strict=True))
+        rows: list[Json] = [plan_row(one, name) for name, one in named.items()]
+        pictures = draw_plans(named, results, outcomes, folder / f"plans-{i + 1}-{slug(scenario.name)}")
+        told = note if i == noted else ""
+        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures))
+    return sections
+
+
+def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
+    """The section as `report.typ` reads it; `files` are the names under which it finds the pictures."""
+    pictures = zip(files, section.pictures, strict=True)
+    return {
+        "scenario": section.scenario,
+        "about": section.about,
+        "rows": section.rows,
+        "note": section.note,
+        "pictures": [{"file": file, "caption": picture.caption} for file, picture in pictures],
+    }
+
+
+def _about(scenario: Scenario, plans: Sequence[PlannedBy]) -> str:
+    """The map's scale, and the yardstick."""
+    width, height = (side / scenario.unit for side in scenario.size)
+    scale = f"{width:g} × {height:g} map units of {text(scenario.unit, 'm')}"
+    exact = yardsticks(plans)
+    return f"{scale}; exact shortest path {exact}" if exact else scale

@@ -1,0 +1,141 @@
+"""The pictures of a campaign's plans: the first of each planner, planned again, and what was flown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from campaigns.plan_statistics import PlannedBy
+from campaigns.summary import CaseResult
+from planners.all_planners import plan_with
+from planners.planner import History, Plan
+from reports.colony_figure import save_colony_figure, shown_iterations
+from reports.comparison_figure import save_comparison_figure
+from reports.flown_figure import save_flown_figure
+from reports.plan_figure import save_plan_figure
+from reports.slug import slug
+from reports.trials_words import worst_name
+from tracking.outcome import Outcome
+
+_EARLY = (1, 3, 5, 10)  # iterations shown of a search of no more
+_MOST_FLOWN = 3  # runs in one picture: a page holds no more
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture in a `file`, and its caption."""
+
+    file: Path
+    caption: str
+
+
+def draw_plans(
+    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: Path
+) -> list[Picture]:
+    """Draw `plans` of one scenario, by label, as PNG files that begin with `stem`.
+
+    The searches in the same axes, each planner's plan, each one's ants, and then the runs: of the first case of each
+    planner that of `outcomes`, by the name of the case. The same plans give the same bytes.
+    """
+    planned = {
+        name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
+    }
+    searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
+    return [
+        *_draw_comparison(plans, searches, stem),
+        *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
+        *(_draw_ants(name, plans[name], history, stem) for name, history in searches.items() if history.swarms),
+        *_draw_flown(plans, results, outcomes, stem),
+    ]
+
+
+def chosen_iterations(history: History) -> tuple[int, ...]:
+    """Those shown of a search: of a long one the first, the first in which one arrives, the first near the best, and
+    the last; where these are fewer than four, a spread.
+    """
+    count = len(history.swarms)
+    if count <= max(_EARLY):
+        return shown_iterations(count, _EARLY)
+    arrived = [i for i, alive in enumerate(history.survivors, start=1) if alive]
+    marked = shown_iterations(count, [1, *arrived[:1], history.converged or 1, count])
+    return marked if len(marked) == len(_EARLY) else shown_iterations(count)
+
+
+def _draw_plan(name: str, one: PlannedBy, plan: Plan, stem: Path) -> Picture:
+    file = _file(stem, name)
+    save_plan_figure(one.scenario, {name: plan}, file, one.planner.clearance)
+    return Picture(file, _plan_caption(name, one, plan) + _beside(claim.beside.plan for claim in one.claims))
+
+
+def _draw_ants(name: str, one: PlannedBy, history: History, stem: Path) -> Picture:
+    shown, file = chosen_iterations(history), _file(stem, f"{name} ants")
+    save_colony_figure(one.scenario, history, file, shown)
+    return Picture(file, _ants_caption(name, history, shown) + _beside(claim.beside.ants for claim in one.claims))
+
+
+def _draw_comparison(plans: Mapping[str, PlannedBy], searches: Mapping[str, History], stem: Path) -> list[Picture]:
+    if len(searches) < 2:
+        return []
+    file = _file(stem, "comparison")
+    exact = [one.statistics.exact_length for one in plans.values() if one.statistics.exact_length is not None]
+    save_comparison_figure(searches, file, max(exact, default=None))
+    what = "length of the best way and of the mean one, and share of ants that arrive, by iteration."
+    beside = _beside(claim.beside.comparison for name in searches for claim in plans[name].claims)
+    return [Picture(file, f"{_listed(searches)} on the same axes: {what}{beside}")]
+
+
+def _draw_flown(
+    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: Path
+) -> list[Picture]:
+    cases = {result.case.name: result for result in results}
+    runs = {
+        name: _named(outcomes[one.case], name, cases[one.case]) for name, one in plans.items() if one.case in outcomes
+    }
+    names = list(runs)
+    each = -(-len(names) // -(-len(names) // _MOST_FLOWN)) if names else 1
+    pages = [names[start : start + each] for start in range(0, len(names), each)]
+    pictures = []
+    for number, page in enumerate(pages, start=1):
+        file = _file(stem, f"flown {number}" if len(pages) > 1 else "flown")
+        save_flown_figure([runs[name] for name in page], file)
+        what = "flown track and cross-track error along it, of the worst trial of its first case."
+        claimed = any(one.claims for one in plans.values())
+        missing = " No figure of the source stands beside it: nothing was flown there." if claimed else ""
+        pictures.append(Picture(file, f"{_listed(page)}: {what}{missing}"))
+    return pictures
+
+
+def _named(outcome: Outcome, name: str, result: CaseResult) -> Outcome:
+    """Called after its planner, and which trial it is of several."""
+    which = f", {worst_name(result)}" if result.case.trials > 1 else ""
+    return replace(outcome, name=f"{name}{which}")
+
+
+def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
+    if not plan.paths:
+        return f"{name}, seed {one.seed}: {plan.outcome}; thin, the exact shortest path."
+    parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
+    parts += ["its sharpest turn from near"]
+    parts += ["length and arrivals by iteration"] if plan.history is not None else []
+    return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path."
+
+
+def _ants_caption(name: str, history: History, shown: Sequence[int]) -> str:
+    told = [f"{history.survivors[i - 1]} in iteration {i}" for i in shown]
+    return f"{name}: the ways of all {history.population} ants; of them arrive {_listed(told)}."
+
+
+def _beside(figures: Iterable[str]) -> str:
+    """The source's own figures that it stands beside."""
+    named = dict.fromkeys(filter(None, figures))
+    return f" Beside {'; '.join(named)}." if named else ""
+
+
+def _listed(names: Iterable[str]) -> str:
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def _file(stem: Path, what: str) -> Path:
+    return stem.with_name(f"{stem.name}-{slug(what)}.png")

@@ -1,0 +1,93 @@
+"""The table of a campaign's plans as data: a row a planner, and under it what others claim of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, cast
+
+import msgspec
+
+from campaigns.claims import Claim
+from campaigns.plan_statistics import PlannedBy, Spread
+from planners.planner import Planner
+from reports.json_result import Json
+from reports.quantity import number, text
+
+_DIGITS = 6  # significant digits in map units, as papers print them
+
+
+def plan_row(one: PlannedBy, label: str) -> dict[str, Json]:
+    """A planner's row, every number already words; where it has two lines, median and worst, "" for what is missing."""
+    told, unit = one.statistics, one.scenario.unit
+    return {
+        "name": label,
+        "about": "" if label != one.planner.name else changed(one.planner),
+        "found": f"{told.found} of {told.seeds}",
+        "missing": ", ".join(f"{count} {name}" for name, count in told.missing.items()),
+        "length": _lines(told.length, 1.0 / unit, _DIGITS),
+        "ratio": _lines(told.length_ratio, 1.0, 4),
+        "turn": [f"{number(angle)}°" for angle in (told.turn_5_deg, told.turn_1_deg) if angle is not None],
+        "radius": _radius(one),
+        "survivors": "" if told.survivors is None else f"{number(told.survivors)} of {told.population}",
+        "converged": "" if told.converged is None else f"{number(told.converged)} of {told.iterations}",
+        "claims": [_claim_row(claim) for claim in one.claims],
+    }
+
+
+def labels(plans: Sequence[PlannedBy]) -> list[str]:
+    """What each of `plans` on one scenario is called: its planner, with the settings where another has the same."""
+    names = [one.planner.name for one in plans]
+    return [
+        name if names.count(name) == 1 else f"{name}, {changed(one.planner) or 'as by default'}"
+        for name, one in zip(names, plans, strict=True)
+    ]
+
+
+def changed(planner: Planner) -> str:
+    """The settings that are not as by default: "clearance = 20, taut = false"."""
+    own = cast(msgspec.Struct, planner)
+    given, default = cast("tuple[dict[str, Any], ...]", (msgspec.to_builtins(own), msgspec.to_builtins(type(own)())))
+    return ", ".join(f"{key} = {_value(value)}" for key, value in given.items() if value != default[key])
+
+
+def yardsticks(plans: Sequence[PlannedBy]) -> str:
+    """The exact shortest paths that plans of one scenario are held against: "1193 map units with 20 m of clearance"."""
+    lengths: Mapping[float, float] = {
+        one.planner.clearance: one.statistics.exact_length / one.scenario.unit
+        for one in plans
+        if one.statistics.exact_length is not None
+    }
+    return ", ".join(
+        f"{number(length, _DIGITS)} map units with {text(clearance, 'm')} of clearance"
+        for clearance, length in sorted(lengths.items())
+    )
+
+
+def _claim_row(claim: Claim) -> dict[str, Json]:
+    return {
+        "source": claim.source,
+        "length": "" if claim.length is None else number(claim.length, _DIGITS),
+        "turn": "" if claim.turn is None else f"{number(claim.turn)}°",
+        "survivors": "" if claim.survivors is None else "{} of {}".format(*claim.survivors),
+        "converged": "" if claim.iterations is None else f"{claim.iterations}",
+    }
+
+
+def _lines(spread: Spread | None, factor: float, digits: int) -> list[Json]:
+    """Median and worst, one line where they are the same, none where there is nothing."""
+    values = [] if spread is None else [spread.median, spread.worst]
+    return [*dict.fromkeys(number(factor * value, digits) for value in values)]
+
+
+def _radius(one: PlannedBy) -> list[Json]:
+    """In metres and in map units, or that there is none."""
+    told = one.statistics
+    if told.cornered:
+        return ["corners", *([f"in {told.cornered}"] if told.cornered < told.found else [])]
+    if told.smallest_radius is None:
+        return ["straight"] if told.found else []
+    return [text(told.smallest_radius, "m"), f"{number(told.smallest_radius / one.scenario.unit)} units"]
+
+
+def _value(value: Any) -> str:
+    return str(value).lower() if isinstance(value, bool) else number(value) if isinstance(value, float) else str(value)
