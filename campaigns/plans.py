@@ -58,7 +58,7 @@ class Plan:
     def load(self, folder: FilePath) -> Path | str:
         """The path as it was stored, or the reason why there is none."""
         if not self.file(folder).exists() and (told := self.told(folder)):
-            return told.reason or told.outcome
+            return told.reason
         path = files.read(self.file(folder)).path
         return Path(path.points, name=self.scenario.name, frame=self.scenario.map.frame)
 

@@ -96,8 +96,7 @@ def _step(ready: ReadySearch, unit: float) -> Step:
     try:
         plan = plan_with(ready.planner, scenario, ready.plan_seed)
         if not plan.paths:
-            told = plan.reason if plan.reason.startswith(plan.outcome) else f"{plan.outcome}: {plan.reason}"
-            return Step(unit=unit, trackworthy=False, reason=told)
+            return Step(unit=unit, trackworthy=False, reason=f"{plan.outcome}: {plan.reason}")
         path = Path(plan.paths[0].points, name=scenario.name, frame=scenario.map.frame)
         trial = assemble(ready.case, replace(ready.inputs, scenario=scenario), path)
         outcome = run_trial(seeded(trial, ready.case.conditions, ready.seed))

@@ -54,7 +54,8 @@ class AcoBasic(ColonySettings, frozen=True, forbid_unknown_fields=True, kw_only=
                 ground.blocked, trail, state, start, goal, self.pheromone_factor, self.heuristic_factor, self.to_goal,
                 self.heuristic_floor, longest, visited, mark, cells,
             )  # fmt: skip
-            return np.asarray(cells[:count] + 0.5, dtype=np.float64), arrived
+            inner = cells[1 : count - 1 if arrived else count] + 0.5
+            return np.vstack([ground.start, inner, *([ground.goal] if arrived else [])]), arrived
 
         def lay(way: Floats, length: float) -> None:
             lay_on_ways(laid, self.pheromone * scenario.unit / length, way.astype(np.int64))

@@ -163,7 +163,7 @@ def test_what_is_read_is_not_overwritten(run, tmp_path):
 def test_planners_are_listed(run):
     code, out, _ = run("list", "planners")
     assert code == 0
-    assert out == "bent          bends\n"
+    assert out == "bent               bends\n"
 
 
 def test_settings_are_listed_with_their_defaults_and_what_they_are(run):
