@@ -14,13 +14,13 @@ from planners.errors import InputError
 from planners.footprint import Disc
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
-from planners.offset import bearings, grown, shrunk, tangents
+from planners.offset import bearings, grown, shrunk, tangents, united
 from planners.path import Path
 from planners.planner import NO_PATH, Plan, only_pair
 from planners.scenario import Scenario
 from planners.visibility import shortest
 
-GAP = 1e-10  # [map sizes] kept from everything, so that no path slips between obstacles that touch
+GAP = 1e-10  # [largest coordinates] kept from everything, so that no path slips between obstacles that touch
 NEAR = 100.0  # [gaps] as far as a start or goal is moved out of the gap
 
 
@@ -35,9 +35,9 @@ class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
         """The same path for every seed.
 
-        Arcs are drawn by tangents, so the path cuts no corner and is longer than the exact one by at most 1e-5 of the
-        straight distance for each full turn about round corners. Raises `InputError` for a start or goal that is
-        nearer than the clearance to what is forbidden.
+        Arcs are drawn by tangents, so that the path cuts no corner. It is longer than the exact one by less than 1e-5
+        of its length, and as much again for each full turn about small round corners; a gap narrower than that counts
+        as closed. Raises `InputError` for a start or goal that is nearer than the clearance to what is forbidden.
         """
         ends = _ends(scenario, self.clearance, self.name)
         points = _shortest(free_space(scenario.map, self.clearance, ends), ends)
@@ -58,7 +58,7 @@ def free_space(area: Map, clearance: float, ends: Floats) -> Any:
         obstacles.append(shapely.Polygon(tangents(wide, step=_arc(wide.radius, span), towards=ends)))
     if area.raster is not None:
         obstacles.append(grown(_squares(area.raster), clearance, arc, ends))
-    blocked = shapely.union_all(obstacles)
+    blocked = united(obstacles)
     if area.bounds is not None:
         narrower = clearance if area.edge == "closed" else 0.0
         whole = shapely.box(*np.array(area.bounds) + narrower * np.array([1.0, 1.0, -1.0, -1.0]))
@@ -70,34 +70,32 @@ def free_space(area: Map, clearance: float, ends: Floats) -> Any:
         at = bearings(inner, 0.0, 2.0 * np.pi, _arc(inner.radius, span), ends)
         chords = np.column_stack([inner.x + inner.radius * np.cos(at), inner.y + inner.radius * np.sin(at)])
         outside.append(whole - shapely.Polygon(chords))
-    return whole - shapely.union_all([blocked, *outside])
+    return whole - united([blocked, *outside])
 
 
 def _ends(scenario: Scenario, keep: float, planner: str) -> Floats:
     """Start and goal (2, 2) [m], each at least `keep` [m] from what is forbidden."""
+    if not math.isfinite(keep):
+        raise InputError(f"planner {planner}: clearance", f"{keep} m is not possible", "give a finite number")
     ends = np.array(only_pair(scenario, planner))
     poses = np.column_stack([ends, np.zeros(2)])
     depths = -clearance(scenario.map, poses, Disc(0.0))
     missing = -clearance(scenario.map, poses, Disc(keep))
     for name, end, depth, lack in zip(("start", "goal"), ends, depths, missing, strict=True):
         if not lack <= GAP * max(scenario.size):
-            where = f"is {depth:.3g} m deep in" if depth > 0.0 else f"is {keep - lack:.3g} m from"
-            what = f"{end.tolist()} m {where} what is forbidden"
-            raise InputError(
-                f"{scenario.name}: {name}",
-                what + (f", nearer than the clearance of {keep:g} m" if keep else ""),
-                "move it to free ground" + (", or give less clearance" if keep else ""),
-            )
-    if (ends[0] == ends[1]).all():
-        raise InputError(scenario.name, f"start and goal are both at {ends[0].tolist()} m", "move one of them")
+            what = f"is {depth:.3g} m deep in what is forbidden"
+            if depth <= 0.0:
+                what = f"is {keep - lack:.3g} m from what is forbidden, nearer than the clearance of {keep:g} m"
+            remedy = "move it to free ground" + (", or give less clearance" if keep else "")
+            raise InputError(f"{scenario.name}: {name}", f"{end.tolist()} m {what}", remedy)
     return ends
 
 
 def _shortest(free: Any, ends: Floats) -> Floats | None:
     """The corners (N, 2) [m] of the shortest line between the `ends` (2, 2) in the polygons `free`, if there is any."""
-    west, south, east, north = shapely.bounds(free)
-    size = max(east - west, north - south)
-    gap = GAP * size
+    gap = GAP * np.abs(shapely.bounds(free)).max()
+    if np.hypot(*(ends[1] - ends[0])) <= NEAR * gap:
+        return ends
     ways = []
     for part in shapely.get_parts(shapely.buffer(free, -gap, join_style="mitre")):
         inner = shapely.buffer(part, -gap / 4.0, join_style="mitre")
@@ -131,4 +129,4 @@ def _squares(raster: Raster) -> Any:
     row, west = np.nonzero(steps == 1)
     east = np.nonzero(steps == -1)[1]
     x, y = (raster.x + np.array([west, east]) * raster.cell), raster.y + np.array([row, row + 1]) * raster.cell
-    return shapely.simplify(shapely.union_all(shapely.box(x[0], y[0], x[1], y[1])), 0.0)
+    return shapely.simplify(united(shapely.box(x[0], y[0], x[1], y[1])), 0.0)

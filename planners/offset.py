@@ -14,11 +14,19 @@ ARC = np.radians(4.5)  # between the tangents that stand for an arc: it is outsi
 SPECK = 1e-12  # [areas of the polygon] a hole this small is none
 
 
+def united(shapes: Any) -> Any:
+    """The union of shapes. Where rounding defeats GEOS, vertices snap to a grid of 1e-12 of the largest coordinate."""
+    try:
+        return shapely.union_all(shapes)
+    except shapely.GEOSException:
+        return shapely.union_all(shapes, grid_size=1e-12 * float(np.abs(shapely.total_bounds(shapes)).max()))
+
+
 def grown(shape: Any, clearance: float, step: float = ARC, towards: Floats | None = None) -> Any:
     """All that is nearer than `clearance` [m] to a polygon or several, arcs as by `tangents`."""
     if clearance == 0.0:
         return shape
-    union = shapely.union_all([shape, *_rim(shape, clearance, step, towards)])
+    union = united([shape, *_rim(shape, clearance, step, towards)])
     return shapely.MultiPolygon([_without_specks(polygon) for polygon in shapely.get_parts(union)])
 
 
@@ -27,7 +35,7 @@ def shrunk(polygon: Any, clearance: float, step: float = ARC, towards: Floats | 
     if clearance == 0.0:
         return polygon
     # What is outside grows: to take what grew from the polygon would leave slivers along the border, by rounding
-    frame = shapely.envelope(shapely.buffer(shapely.envelope(polygon), clearance))
+    frame = shapely.envelope(shapely.buffer(shapely.envelope(polygon), clearance + polygon.length))
     around = grown(shapely.Polygon(frame.exterior, [polygon.exterior]), clearance, step, towards)
     return shapely.MultiPolygon([shapely.Polygon(hole) for part in around.geoms for hole in part.interiors])
 
