@@ -226,7 +226,7 @@ def test_an_end_without_the_clearance_is_an_error_that_says_how_far_it_is():
 
 @pytest.mark.parametrize("keep", [math.nan, math.inf])
 def test_a_clearance_that_is_not_finite_is_an_error(keep):
-    with pytest.raises(InputError, match="planner exact: clearance: (nan|inf) m is not possible"):
+    with pytest.raises(InputError, match=r"planner exact: clearance: (nan|inf) m is not possible"):
         planned(Map(polygons=(SQUARE,)), (-8.0, 0.0), (8.0, 0.0), keep)
 
 
