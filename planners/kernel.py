@@ -5,7 +5,9 @@ from __future__ import annotations
 import hashlib
 import os
 import shutil
+import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import ParamSpec, TypeVar, cast
 
@@ -16,6 +18,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
+
+DAY = 86_400.0  # [s]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -35,20 +39,25 @@ def _cache_folder(code: Path) -> Path | None:
     digest = hashlib.sha256()
     for file in sorted(code.rglob("*.py")):
         digest.update(file.read_bytes())
-    beside = code / "__pycache__"
-    for base in (beside, Path.home() / ".cache" / "trackworthy"):
+    for base in (code / "__pycache__", Path.home() / ".cache" / "trackworthy"):
         folder = base / f"kernels-{digest.hexdigest()[:16]}"
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError:
             continue
         if os.access(folder, os.W_OK):
-            if base == beside:
-                for old in base.glob("kernels-*"):
-                    if old != folder:
-                        shutil.rmtree(old, ignore_errors=True)
+            _forget_others(folder)
             return folder
     return None
+
+
+def _forget_others(folder: Path) -> None:
+    """Remove the kernels of code that has not been run for a day; what is younger may be of a process still at work."""
+    folder.touch()
+    for other in folder.parent.glob("kernels-*"):
+        with suppress(OSError):
+            if other.stat().st_mtime < time.time() - DAY:
+                shutil.rmtree(other)
 
 
 if not getattr(numba.config, "CACHE_DIR", ""):  # a user's NUMBA_CACHE_DIR counts
