@@ -14,7 +14,7 @@ from planners.errors import InputError
 from planners.footprint import Disc
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
-from planners.offset import bearings, grown, shrunk, tangents, united
+from planners.offset import bearings, grown, overlay, shrunk, tangents
 from planners.path import Path
 from planners.planner import NO_PATH, Plan, only_pair
 from planners.scenario import Scenario
@@ -58,19 +58,20 @@ def free_space(area: Map, clearance: float, ends: Floats) -> Any:
         obstacles.append(shapely.Polygon(tangents(wide, step=_arc(wide.radius, span), towards=ends)))
     if area.raster is not None:
         obstacles.append(grown(_squares(area.raster), clearance, arc, ends))
-    blocked = united(obstacles)
+    blocked = overlay(shapely.union_all, obstacles)
     if area.bounds is not None:
         narrower = clearance if area.edge == "closed" else 0.0
         whole = shapely.box(*np.array(area.bounds) + narrower * np.array([1.0, 1.0, -1.0, -1.0]))
     else:
         whole = shapely.envelope(shapely.buffer(shapely.union(blocked, shapely.MultiPoint(ends)), span))
-    outside = [whole - shrunk(shapely.Polygon(ring), clearance, arc, ends) for ring in area.keep_in]
+    inside = [shrunk(shapely.Polygon(ring), clearance, arc, ends) for ring in area.keep_in]
     for circle in area.keep_in_circles:
         inner = Circle(circle.x, circle.y, circle.radius - clearance)
         at = bearings(inner, 0.0, 2.0 * np.pi, _arc(inner.radius, span), ends)
         chords = np.column_stack([inner.x + inner.radius * np.cos(at), inner.y + inner.radius * np.sin(at)])
-        outside.append(whole - shapely.Polygon(chords))
-    return whole - united([blocked, *outside])
+        inside.append(shapely.Polygon(chords))
+    outside = [overlay(shapely.difference, whole, part) for part in inside]
+    return overlay(shapely.difference, whole, overlay(shapely.union_all, [blocked, *outside]))
 
 
 def _ends(scenario: Scenario, keep: float, planner: str) -> Floats:
@@ -111,7 +112,7 @@ def _shortest(free: Any, ends: Floats) -> Floats | None:
 
 def _inside(area: Any, end: Any, reach: float) -> list[Floats]:
     """The points (2,) of `area` nearest to `end`, up to `reach` [m] away; several where obstacles touch at the end."""
-    pieces = shapely.get_parts(shapely.intersection(area, shapely.buffer(end, reach)))
+    pieces = shapely.get_parts(overlay(shapely.intersection, area, shapely.buffer(end, reach)))
     return [shapely.get_coordinates(shapely.shortest_line(piece, end))[0] for piece in pieces if not piece.is_empty]
 
 
@@ -129,4 +130,4 @@ def _squares(raster: Raster) -> Any:
     row, west = np.nonzero(steps == 1)
     east = np.nonzero(steps == -1)[1]
     x, y = (raster.x + np.array([west, east]) * raster.cell), raster.y + np.array([row, row + 1]) * raster.cell
-    return shapely.simplify(united(shapely.box(x[0], y[0], x[1], y[1])), 0.0)
+    return shapely.simplify(overlay(shapely.union_all, shapely.box(x[0], y[0], x[1], y[1])), 0.0)

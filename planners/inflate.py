@@ -12,7 +12,7 @@ from scipy.ndimage import binary_dilation, distance_transform_edt
 from planners.errors import InputError
 from planners.kernel import Floats
 from planners.map import Map, Raster
-from planners.offset import grown, shrunk
+from planners.offset import grown, overlay, shrunk
 
 
 def inflated(area: Map, clearance: float) -> Map:
@@ -41,7 +41,7 @@ def inflated(area: Map, clearance: float) -> Map:
             # A vehicle must be in all keep-in areas, but in only one of these: what is between them becomes obstacle
             around = shapely.envelope(inside)
             pieces = _rings(around)
-            polygons += _rings(shapely.envelope(around.buffer(clearance)) - inside)
+            polygons += _rings(overlay(shapely.difference, shapely.envelope(around.buffer(clearance)), inside))
         keep_in += pieces
     bounds = area.bounds
     if bounds is not None and area.edge == "closed":
@@ -76,8 +76,11 @@ def _rings(shape: Any) -> list[Floats]:
             rings.append(shapely.get_coordinates(polygon.exterior)[:-1])
             continue
         left, _, right, _ = polygon.interiors[0].bounds
-        rings += _rings(polygon & shapely.box(x_min, y_min, (left + 2.0 * right) / 3.0, y_max))
-        rings += _rings(polygon & shapely.box((2.0 * left + right) / 3.0, y_min, x_max, y_max))
+        for half in (
+            shapely.box(x_min, y_min, (left + 2.0 * right) / 3.0, y_max),
+            shapely.box((2.0 * left + right) / 3.0, y_min, x_max, y_max),
+        ):
+            rings += _rings(overlay(shapely.intersection, polygon, half))
     return rings
 
 

@@ -14,19 +14,25 @@ ARC = np.radians(4.5)  # between the tangents that stand for an arc: it is outsi
 SPECK = 1e-12  # [areas of the polygon] a hole this small is none
 
 
-def united(shapes: Any) -> Any:
-    """The union of shapes. Where rounding defeats GEOS, vertices snap to a grid of 1e-12 of the largest coordinate."""
+def overlay(operation: Any, *shapes: Any) -> Any:
+    """A union, difference or intersection of shapes by GEOS.
+
+    Where rounding defeats it, with or without its notice, vertices snap to a grid of 1e-12 of the largest coordinate.
+    """
     try:
-        return shapely.union_all(shapes)
+        result = operation(*shapes)
+        if result.is_valid:
+            return result
     except shapely.GEOSException:
-        return shapely.union_all(shapes, grid_size=1e-12 * float(np.abs(shapely.total_bounds(shapes)).max()))
+        pass
+    return operation(*shapes, grid_size=1e-12 * float(np.abs(shapely.total_bounds(np.hstack(shapes))).max()))
 
 
 def grown(shape: Any, clearance: float, step: float = ARC, towards: Floats | None = None) -> Any:
     """All that is nearer than `clearance` [m] to a polygon or several, arcs as by `tangents`."""
     if clearance == 0.0:
         return shape
-    union = united([shape, *_rim(shape, clearance, step, towards)])
+    union = overlay(shapely.union_all, [shape, *_rim(shape, clearance, step, towards)])
     return shapely.MultiPolygon([_without_specks(polygon) for polygon in shapely.get_parts(union)])
 
 

@@ -13,7 +13,7 @@ from planners.errors import InputError
 from planners.footprint import Disc
 from planners.inflate import inflated
 from planners.map import Circle, Map, Raster
-from planners.offset import grown, shrunk
+from planners.offset import grown, overlay, shrunk
 
 SQUARE = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]])
 # Two rooms of 8 x 10, joined by a corridor 2 wide
@@ -185,3 +185,16 @@ def test_a_raster_of_512_by_512_is_grown_by_100_cells_in_a_moment():
     start = time.perf_counter()
     inflated(area, 100.0)
     assert time.perf_counter() - start < 2.0  # twenty times what it takes, for slow machines
+
+
+def test_an_overlay_that_geos_fails_at_is_tried_on_a_grid():
+    one, other = shapely.box(0.0, 0.0, 100.0, 1.0), shapely.box(0.0, 1e-11, 1.0, 2.0)
+
+    def fails(*shapes, grid_size=None):
+        if grid_size is None:
+            raise shapely.GEOSException("TopologyException")
+        return shapely.union(*shapes, grid_size=grid_size)
+
+    assert overlay(fails, one, other).area == pytest.approx(101.0, rel=1e-9)
+    bow = shapely.Polygon([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]])
+    assert overlay(lambda *shapes, grid_size=None: bow if grid_size is None else one, one, other) is one
