@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from planners.kernel import Bools, Floats, kernel
+from planners.kernel import Bools, Floats, Ints, kernel
 
 
 @kernel
@@ -54,8 +54,8 @@ def is_free(blocked: Bools, x0: float, y0: float, x1: float, y1: float) -> bool:
 
 
 @kernel
-def lay(field: Floats, amount: float, x0: float, y0: float, x1: float, y1: float) -> None:
-    """Add `amount` to every cell that the segment passes through but the first; it must be free."""
+def cells_of(x0: float, y0: float, x1: float, y1: float, found: Ints) -> int:
+    """How many cells, column and row, the segment passes through after its first; they are put in `found` (N, 2)."""
     column, row = math.floor(x0), math.floor(y0)
     last_column, last_row = math.floor(x1), math.floor(y1)
     dx, dy = x1 - x0, y1 - y0
@@ -64,14 +64,16 @@ def lay(field: Floats, amount: float, x0: float, y0: float, x1: float, y1: float
     per_y = abs(1.0 / dy) if dy != 0.0 else math.inf
     next_x = ((column + 1 - x0) if dx > 0.0 else (x0 - column)) * per_x if dx != 0.0 else math.inf
     next_y = ((row + 1 - y0) if dy > 0.0 else (y0 - row)) * per_y if dy != 0.0 else math.inf
-    for _ in range(abs(last_column - column) + abs(last_row - row)):
+    count = abs(last_column - column) + abs(last_row - row)
+    for i in range(count):
         if next_x < next_y:
             column += step_x
             next_x += per_x
         else:
             row += step_y
             next_y += per_y
-        field[row, column] += amount
+        found[i, 0], found[i, 1] = column, row
+    return count
 
 
 @kernel

@@ -4,7 +4,7 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planners.segments import is_free, lay, polyline_length, without_needless
+from planners.segments import cells_of, is_free, polyline_length, without_needless
 
 ROWS, COLUMNS = 7, 9
 grids = st.lists(st.booleans(), min_size=ROWS * COLUMNS, max_size=ROWS * COLUMNS).map(
@@ -46,15 +46,15 @@ def test_off_the_grid_is_not_free(x, y):
 
 
 @given(xs, ys, xs, ys)
-def test_what_is_laid_lies_once_on_each_cell_passed_through(x0, y0, x1, y1):
-    field = np.zeros((ROWS, COLUMNS))
-    lay(field, 2.0, x0, y0, x1, y1)
-    assert set(np.unique(field)) <= {0.0, 2.0}
-    touched = field > 0.0
-    if touched.any():
-        line = shapely.LineString([(x0, y0), (x1, y1)])
-        assert shapely.distance(line, cells(touched)).max() == 0.0
-        assert touched[int(y1), int(x1)]
+def test_the_cells_of_a_segment_are_those_it_passes_through_each_once(x0, y0, x1, y1):
+    found = np.empty((ROWS + COLUMNS, 2), np.int64)
+    passed = found[: cells_of(x0, y0, x1, y1, found)]
+    assert len({tuple(cell) for cell in passed.tolist()}) == len(passed)
+    line = shapely.LineString([(x0, y0), (x1, y1)])
+    boxes = [shapely.box(column, row, column + 1, row + 1) for column, row in passed.tolist()]
+    assert shapely.distance(line, boxes).max(initial=0.0) == 0.0
+    if len(passed):
+        assert passed[-1].tolist() == [int(x1), int(y1)]
 
 
 def test_a_free_way_needs_its_ends_only():

@@ -18,7 +18,8 @@ def test_what_is_seen_is_the_regional_sum_of_what_lies():
     for _ in range(4):
         laid = np.where(rng.random(lies.shape) < 0.1, rng.random(lies.shape), 0.0)
         lies = (1.0 - rho) * lies + laid
-        evaporate_and_lay(seen, laid, rho, weights)
+        touched = np.argwhere(laid)[:, ::-1].copy()
+        evaporate_and_lay(seen, laid, touched, len(touched), rho, weights)
         assert not laid.any()
     for row in range(2, 10):
         for column in range(2, 13):
@@ -29,7 +30,10 @@ def test_what_is_seen_is_the_regional_sum_of_what_lies():
 def test_pheromone_lies_on_cells_or_on_nodes():
     way = np.array([[0.5, 0.5], [6.5, 0.5], [6.5, 3.5]])
     on_cells, on_nodes = np.zeros((5, 8)), np.zeros((5, 8))
-    lay_along(on_cells, 1.0, way, False)
-    lay_along(on_nodes, 1.0, way, True)
+    touched, count = np.empty((40, 2), np.int64), 0
+    for _ in range(2):  # the second ant touches no new cell
+        count = lay_along(on_cells, touched, count, 0.5, way, False)
+        lay_along(on_nodes, np.empty((40, 2), np.int64), 0, 0.5, way, True)
+    assert sorted(map(tuple, touched[:count].tolist())) == sorted((x, y) for y, x in np.argwhere(on_cells).tolist())
     assert on_cells.sum() == 9.0
     assert np.argwhere(on_nodes).tolist() == [[0, 6], [3, 6]]
