@@ -10,6 +10,17 @@ from planners.kernel import Bools, Floats, Ints, kernel
 
 
 @kernel
+def _lines(start: float, end: float) -> tuple[int, float, float]:
+    """In one axis: the way to the next cell, the share of the segment between grid lines, and that up to the first."""
+    span, cell = end - start, math.floor(start)
+    if span == 0.0:
+        return 1, math.inf, math.inf
+    if span > 0.0:
+        return 1, 1.0 / span, (cell + 1 - start) / span
+    return -1, -1.0 / span, (cell - start) / span
+
+
+@kernel
 def is_free(blocked: Bools, x0: float, y0: float, x1: float, y1: float) -> bool:
     """Whether the segment meets no blocked cell and stays on the grid.
 
@@ -20,14 +31,9 @@ def is_free(blocked: Bools, x0: float, y0: float, x1: float, y1: float) -> bool:
     column, row = math.floor(x0), math.floor(y0)
     if column < 0 or row < 0 or column >= columns or row >= rows or blocked[row, column]:
         return False
-    last_column, last_row = math.floor(x1), math.floor(y1)
-    dx, dy = x1 - x0, y1 - y0
-    step_x, step_y = (1 if dx > 0.0 else -1), (1 if dy > 0.0 else -1)
-    per_x = abs(1.0 / dx) if dx != 0.0 else math.inf
-    per_y = abs(1.0 / dy) if dy != 0.0 else math.inf
-    next_x = ((column + 1 - x0) if dx > 0.0 else (x0 - column)) * per_x if dx != 0.0 else math.inf
-    next_y = ((row + 1 - y0) if dy > 0.0 else (y0 - row)) * per_y if dy != 0.0 else math.inf
-    left = abs(last_column - column) + abs(last_row - row)
+    step_x, per_x, next_x = _lines(x0, x1)
+    step_y, per_y, next_y = _lines(y0, y1)
+    left = abs(math.floor(x1) - column) + abs(math.floor(y1) - row)
     while left > 0:
         if abs(next_x - next_y) < 1e-9 and left > 1:
             beside = column + step_x
@@ -57,14 +63,9 @@ def is_free(blocked: Bools, x0: float, y0: float, x1: float, y1: float) -> bool:
 def cells_of(x0: float, y0: float, x1: float, y1: float, found: Ints) -> int:
     """How many cells, column and row, the segment passes through after its first; they are put in `found` (N, 2)."""
     column, row = math.floor(x0), math.floor(y0)
-    last_column, last_row = math.floor(x1), math.floor(y1)
-    dx, dy = x1 - x0, y1 - y0
-    step_x, step_y = (1 if dx > 0.0 else -1), (1 if dy > 0.0 else -1)
-    per_x = abs(1.0 / dx) if dx != 0.0 else math.inf
-    per_y = abs(1.0 / dy) if dy != 0.0 else math.inf
-    next_x = ((column + 1 - x0) if dx > 0.0 else (x0 - column)) * per_x if dx != 0.0 else math.inf
-    next_y = ((row + 1 - y0) if dy > 0.0 else (y0 - row)) * per_y if dy != 0.0 else math.inf
-    count = abs(last_column - column) + abs(last_row - row)
+    step_x, per_x, next_x = _lines(x0, x1)
+    step_y, per_y, next_y = _lines(y0, y1)
+    count = abs(math.floor(x1) - column) + abs(math.floor(y1) - row)
     for i in range(count):
         if next_x < next_y:
             column += step_x
