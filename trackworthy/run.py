@@ -7,9 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from campaigns.campaign import Campaign
     from campaigns.execute import Finished
     from campaigns.ready import ReadyCase
+    from campaigns.scale_ready import ReadySearch
 
 
 def add_parser(commands: Any) -> None:
@@ -54,6 +57,7 @@ def main(args: argparse.Namespace) -> int:
 
         return replay_trial(campaign, cases, args.trial, folder)
     machines = Machines(args.jobs or default_jobs(), args.dask)
+    tell(_ahead(cases, searches, folder, args.fresh))
     try:
         finished = execute(campaign, cases, folder, machines, watched, args.fresh, searches)
     except (KeyboardInterrupt, SystemExit) as stop:  # Ctrl-C, or told to by SIGTERM
@@ -61,6 +65,15 @@ def main(args: argparse.Namespace) -> int:
         return int(stop.code or 0) if isinstance(stop, SystemExit) else 130
     _write(campaign, finished, folder, args.campaign)
     return _answer(finished, folder)
+
+
+def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: Path, fresh: bool) -> list[str]:
+    """What is to be done besides the trials, whose progress is shown."""
+    from reports.quantity import counted
+
+    paths = {plan.key for ready in cases for plan in ready.plans if fresh or not plan.done(folder)}
+    said = [f"planning {counted(len(paths), 'path')}"] if paths else []
+    return [*said, f"searching {counted(len(searches), 'smallest scale')}"] if searches else said
 
 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
