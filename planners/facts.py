@@ -10,6 +10,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from planners.clearance import clearance
+from planners.errors import TrackworthyError
 from planners.exact import Exact
 from planners.footprint import Disc
 from planners.kernel import Floats
@@ -106,8 +107,11 @@ def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenari
 # A campaign compares many plans on a handful of maps.
 @lru_cache(maxsize=16)
 def exact_length(scenario: Scenario, clearance: float) -> float | None:
-    """Length [m] of the shortest path that keeps `clearance` [m]; None where there is none."""
-    plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
+    """Length [m] of the shortest path that keeps `clearance` [m]; None where there is none, or it is beyond GEOS."""
+    try:
+        plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
+    except TrackworthyError:
+        return None
     return plan.paths[0].length if plan.paths else None
 
 

@@ -32,14 +32,13 @@ class Tight:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rounded:
-    """A rounded line `points` (N, 2) [m] about the `polyline` (M, 2) [m] of its vertices.
+    """A line `points` (N, 2) [m] with rounded corners.
 
     `smallest_radius` [m] is that of its tightest curve, inf for a straight line; `tight` holds the corners below the
     radius wanted.
     """
 
     points: Floats
-    polyline: Floats
     smallest_radius: float
     tight: tuple[Tight, ...]
 
@@ -93,7 +92,7 @@ def rounded(ground: Ground, polyline: Floats, radius: float, keep: bool = False)
         for (x, y), curve in zip(vertices[1:-1], curves, strict=True)
         if curve < radius
     )
-    return Rounded(ground.to_metres(_line(nodes, radii)), vertices, float(min(curves, default=np.inf)), tight)
+    return Rounded(ground.to_metres(_line(nodes, radii)), float(min(curves, default=np.inf)), tight)
 
 
 def _line(nodes: Floats, radii: Floats) -> Floats:
