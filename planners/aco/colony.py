@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from planners.ground import Ground
-from planners.kernel import Floats
+from planners.kernel import Bools, Floats
 from planners.planner import History, Swarm
 from planners.segments import polyline_length
 
@@ -61,6 +61,6 @@ def search(
     return Found(ordered, History(best, mean, survivors, ants, tuple(swarms)))
 
 
-def _swarm(ground: Ground, ways: list[Floats], alive: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Swarm:
+def _swarm(ground: Ground, ways: list[Floats], alive: Bools) -> Swarm:
     first = np.cumsum([0, *(len(way) for way in ways)])
     return Swarm(ground.to_metres(np.concatenate(ways)), first, alive)
