@@ -19,7 +19,8 @@ from planners.planner import History, Plan, Planner
 from planners.scenario import Scenario
 from planners.units import wrap_all
 
-CHECKED = 0.25  # map units between the points at which a path's clearance is taken
+CHECKED = 0.25  # map units between the points at which a path's clearance is taken, besides its own
+CLEARANCE_DIGITS = 4  # decimals of a metre: a path that touches is 0 clear, whatever rounding says
 
 
 class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
@@ -88,7 +89,7 @@ def _with_search(facts: PlanFacts, history: History) -> PlanFacts:
 
 def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenario) -> PlanFacts:
     path = plan.paths[0]
-    points = path.resample(CHECKED * scenario.unit).xy
+    points = np.vstack([path.xy, path.resample(CHECKED * scenario.unit).xy])
     poses = np.column_stack([points, np.zeros(len(points))])
     room = float(clearance(scenario.map, poses, Disc(0.0)).min())
     return replace(
@@ -100,7 +101,7 @@ def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenari
         turn_angle_1_unit_deg=math.degrees(turn_angle(path, scenario.unit)),
         turn_angle_5_units_deg=math.degrees(turn_angle(path, 5.0 * scenario.unit)),
         smallest_radius=plan.smallest_radius,
-        clearance_min=room if math.isfinite(room) else None,
+        clearance_min=round(room, CLEARANCE_DIGITS) if math.isfinite(room) else None,
     )
 
 

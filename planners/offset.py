@@ -32,6 +32,7 @@ def grown(shape: Any, clearance: float, step: float = ARC, towards: Floats | Non
     """All that is nearer than `clearance` [m] to a polygon or several, arcs as by `tangents`."""
     if clearance == 0.0:
         return shape
+    shape = shapely.remove_repeated_points(shape)  # an edge without length has no side
     union = overlay(shapely.union_all, [shape, *_rim(shape, clearance, step, towards)])
     return shapely.MultiPolygon([_without_specks(polygon) for polygon in shapely.get_parts(union)])
 

@@ -89,7 +89,7 @@ def only_pair(scenario: Scenario, planner: str) -> tuple[Floats, Floats]:
     starts, goals = len(scenario.starts), len(scenario.goals)
     if starts != 1 or goals != 1:
         what = f"it has {starts} starts and {goals} goals, and {planner} plans from one to one"
-        raise InputError(scenario.name, what, "leave one of each, or take a planner for several vehicles")
+        raise InputError(scenario.name, what, "leave one of each")
     if (scenario.starts[0] == scenario.goals[0]).all():
         raise InputError(scenario.name, "its start is its goal", "move one of them")
     return scenario.starts[0], scenario.goals[0]

@@ -107,7 +107,7 @@ def _places(
         if not on_map:
             raise InputError(f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(keys.size)}")
         if room < 0.0:
-            what = f"{list(place)} is {-room / keys.unit:.3g} deep in an obstacle or a forbidden area"
+            what = f"{list(place)} is {-room / keys.unit:.3g} map units deep in an obstacle or a forbidden area"
             raise InputError(f"{file}: {key}", what, "move it to free ground")
     points.setflags(write=False)
     return points

@@ -54,7 +54,7 @@ def _draw_lengths(
         _plot(axes, history.mean, colours[name], DASHES)
     longest = max((float(np.nanmax(one.mean)) for one in histories.values() if one.converged), default=0.0)
     scale, unit = length_unit(longest)
-    axes.set_title(f"Length [{unit}]" if longest else "Length")
+    axes.set_title(f"Length as found [{unit}]" if longest else "Length as found")
     if not longest:
         axes.set_yticks([])
         axes.text(0.5, 0.5, "nothing arrived", transform=axes.transAxes, ha="center", va="center", color=MUTED)

@@ -19,11 +19,11 @@ def without_path(clearance: float) -> Plan:
     return Plan(outcome=NO_PATH, reason=what)
 
 
-def not_found(found: Found) -> Plan:
-    """The answer where no ant arrived, though a way exists."""
+def not_found(found: Found, keeping: str = "") -> Plan:
+    """The answer where no ant arrived, though a way exists; `keeping` says what else they had to keep to."""
     history = found.history
     what = f"none of {history.population} ants arrived in any of {len(history.survivors)} iterations"
-    return Plan(outcome=NOT_FOUND, reason=what, history=history)
+    return Plan(outcome=NOT_FOUND, reason=f"{what}{keeping}", history=history)
 
 
 def finished(found: Found, ground: Ground, scenario: Scenario, name: str, tight: bool, radius: float) -> Plan:

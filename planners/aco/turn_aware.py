@@ -42,7 +42,7 @@ class AcoTurnAware(RingSettings, frozen=True, forbid_unknown_fields=True, kw_onl
             return without_path(self.clearance)
         found = self.search(ground, scenario, rng)
         if found.way is None:
-            return not_found(found)
+            return not_found(found, f" keeping a turn radius of {self.turn_radius:g} m")
         lines = [rounded(ground, way, self.turn_radius, keep=True) for way in found.ways]
         kept = [(_length(line), i) for i, line in enumerate(lines) if not line.tight]
         if not kept:

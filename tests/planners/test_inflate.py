@@ -198,3 +198,10 @@ def test_an_overlay_that_geos_fails_at_is_tried_on_a_grid():
     assert overlay(fails, one, other).area == pytest.approx(101.0, rel=1e-9)
     bow = shapely.Polygon([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]])
     assert overlay(lambda *shapes, grid_size=None: bow if grid_size is None else one, one, other) is one
+
+
+def test_a_vertex_given_twice_changes_nothing():
+    once = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 8.0]])
+    twice = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 0.0], [10.0, 8.0]])
+    one, two = (inflated(Map(polygons=(ring,)), 2.0).polygons for ring in (once, twice))
+    assert [ring.tolist() for ring in one] == [ring.tolist() for ring in two]

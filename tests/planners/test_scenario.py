@@ -119,7 +119,7 @@ def test_the_first_row_of_a_picture_is_the_north(load, picture):
 
 
 def test_in_a_truth_white_is_obstacle(load, picture):
-    with pytest.raises(InputError, match=r"start: \[1.0, 1.0\] is 1 deep in an obstacle"):
+    with pytest.raises(InputError, match=r"start: \[1.0, 1.0\] is 1 map units deep in an obstacle"):
         load(picture + 'image = "ground.png"\ntruth = "ground.png"\n')
 
 
@@ -139,7 +139,7 @@ def test_in_a_truth_white_is_obstacle(load, picture):
         ("unit = 2.0", "unit = 0.0", "unit: expected float > 0"),
         ("unit = 2.0", "unit = nan", "unit"),
         ("unit = 2.0", "unit = ", "here.toml: it is not TOML: .*line 4"),
-        ("[1.0, 1.0]", "[5.0, 4.5]", r"start: \[5.0, 4.5\] is 0.5 deep in an obstacle.*; move it"),
+        ("[1.0, 1.0]", "[5.0, 4.5]", r"start: \[5.0, 4.5\] is 0.5 map units deep in an obstacle.*; move it"),
         ("[9.0, 7.0]", "[3.0, 6.0]", "goal: .* in an obstacle"),
         ("[9.0, 7.0]", "[11.0, 7.0]", r"goal: \[11.0, 7.0\] is off the map; keep it within \[10.0, 8.0\]"),
         ("[9.0, 7.0]", "[nan, 7.0]", "goal: .* off the map"),
