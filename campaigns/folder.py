@@ -54,6 +54,7 @@ def opened(
         found = read_manifest(file)
         if found is not None:
             check_same(found, manifest, folder)
+            _forget_unfinished(folder)
         elif campaign.folder.resolve() == folder.resolve():
             raise InputError(str(folder), "is the folder of the campaign itself", ELSEWHERE)
         elif foreign := next((path for name in MADE for path in folder.glob(name)), None):
@@ -72,6 +73,7 @@ def opened(
 
 def clear(folder: Path) -> None:
     """Remove the results in `folder`; anything else stays."""
+    _forget_unfinished(folder)
     for name in MADE:
         for path in folder.glob(name):
             if path.is_dir() and not path.is_symlink():
@@ -82,6 +84,13 @@ def clear(folder: Path) -> None:
         for path in folder.glob(name):
             with contextlib.suppress(OSError):  # something else is in it
                 path.rmdir()
+
+
+def _forget_unfinished(folder: Path) -> None:
+    """Remove what a killed run was writing (`atomic`); the lock says that nobody is at it any more."""
+    for name in MADE:
+        for path in folder.glob(str(Path(name).with_name(f".{Path(name).name}.*.tmp"))):
+            path.unlink()
 
 
 def _lock(lock: int, folder: Path) -> None:

@@ -197,3 +197,17 @@ def test_the_campaigns_own_folder_is_refused(tmp_path):
     file = write_campaign(tmp_path, FEW)
     with pytest.raises(InputError, match="is the folder of the campaign itself; give another"), enter(file, tmp_path):
         pass
+
+
+@pytest.mark.parametrize("fresh", [False, True])
+def test_what_a_killed_run_was_writing_goes_with_the_next(tmp_path, fresh):
+    """A SIGKILL between the writing of a file and its renaming leaves a file that is none."""
+    file, out = write_campaign(tmp_path, FEW, head='keep_tracks = "all"'), tmp_path / "out"
+    run_here(file, out)
+    tracks = sorted(path.name for path in (out / "tracks").iterdir())
+    for left in (f"tracks/.{tracks[0]}.12345.tmp", ".summary.json.12345.tmp"):
+        (out / left).write_bytes(b"PAR1")
+    (out / "tracks" / ".mine.tmp").touch()
+    with enter(file, out, fresh):
+        assert sorted(path.name for path in (out / "tracks").iterdir()) == [".mine.tmp", *([] if fresh else tracks)]
+        assert not (out / ".summary.json.12345.tmp").exists()
