@@ -18,8 +18,9 @@ from planners.ground import Ground, ground_of
 from planners.kernel import Floats
 from planners.occupancy import Grid, clearance_field
 from planners.planner import NOT_FOUND, Plan
-from planners.rounding import RESERVE, Rounded, rounded
+from planners.rounding import RESERVE, rounded
 from planners.scenario import Scenario
+from planners.segments import polyline_length
 
 
 class AcoTurnAware(RingSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -44,7 +45,7 @@ class AcoTurnAware(RingSettings, frozen=True, forbid_unknown_fields=True, kw_onl
         if found.way is None:
             return not_found(found, f" keeping a turn radius of {self.turn_radius:g} m")
         lines = [rounded(ground, way, self.turn_radius, keep=True) for way in found.ways]
-        kept = [(_length(line), i) for i, line in enumerate(lines) if not line.tight]
+        kept = [(polyline_length(line.points), i) for i, line in enumerate(lines) if not line.tight]
         if not kept:
             what = f"none of the ways found keeps a turn radius of {self.turn_radius:g} m"
             return Plan(outcome=NOT_FOUND, reason=what, history=found.history)
@@ -80,7 +81,3 @@ class AcoTurnAware(RingSettings, frozen=True, forbid_unknown_fields=True, kw_onl
             return prune_turning(blocked, room, way, *pruning, radius), True
 
         return search(ground, self.ants, self.iterations, send, pheromone.lay, pheromone.evaporate)
-
-
-def _length(line: Rounded) -> float:
-    return float(np.hypot(*np.diff(line.points, axis=0).T).sum())
