@@ -9,7 +9,6 @@ import pytest
 from planners import files
 from planners.path import Path
 from planners.planner import NO_PATH, NOT_FOUND, History, Plan
-from trackworthy.__main__ import main
 
 FIELD = """name = "field"
 size = [100.0, 60.0]
@@ -57,20 +56,6 @@ def _a_planner_and_a_folder_of_its_own(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "field.toml").write_text(FIELD)
     monkeypatch.setattr("planners.all_planners.ALL_PLANNERS", (Bent,))
-
-
-@pytest.fixture
-def run(capfd):
-    """Runs the program; gives exit code, standard output and standard error."""
-
-    def call(*arguments):
-        try:
-            code = main([str(argument) for argument in arguments])
-        except SystemExit as stop:
-            code = stop.code
-        return (code, *capfd.readouterr())
-
-    return call
 
 
 BENT = ("plan", "field.toml", "--planner", "bent")

@@ -11,7 +11,6 @@ from planners import files
 from planners.frame import Frame
 from planners.path import Path
 from sample_paths import arcs, circle, right_angle, road_weave
-from trackworthy.__main__ import main
 
 G = 9.80665
 
@@ -20,20 +19,6 @@ G = 9.80665
 def _in_a_folder_of_its_own(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     shutil.copytree(CAMPAIGNS_FOLDER / "quickstart", tmp_path, dirs_exist_ok=True)
-
-
-@pytest.fixture
-def run(capfd):
-    """Runs the program; gives exit code, standard output and standard error."""
-
-    def call(*arguments):
-        try:
-            code = main([str(argument) for argument in arguments])
-        except SystemExit as stop:
-            code = stop.code
-        return (code, *capfd.readouterr())
-
-    return call
 
 
 def write(path, name="path.csv"):
