@@ -129,8 +129,7 @@ def keep(plan: Plan, folder: FilePath, computed: Computed) -> None:
         # In metres, whatever its frame: the scenario's map says where that is
         files.write(Path(computed.path.points, name=plan.scenario.name), plan.file(folder))
     if computed.facts is not None:
-        told = msgspec.json.encode(computed.facts, enc_hook=float)  # numpy's numbers are none to msgspec
-        text = msgspec.json.format(told, indent=2).decode()
+        text = msgspec.json.format(msgspec.json.encode(computed.facts), indent=2).decode()
         write_text(plan.facts(folder), f"{text}\n")
 
 

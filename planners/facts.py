@@ -100,7 +100,7 @@ def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenari
         turn_angle_max_deg=math.degrees(float(np.abs(path.turns).max())),
         turn_angle_1_unit_deg=math.degrees(turn_angle(path, scenario.unit)),
         turn_angle_5_units_deg=math.degrees(turn_angle(path, 5.0 * scenario.unit)),
-        smallest_radius=plan.smallest_radius,
+        smallest_radius=None if plan.smallest_radius is None else float(plan.smallest_radius),
         clearance_min=round(room, CLEARANCE_DIGITS) if math.isfinite(room) else None,
     )
 
