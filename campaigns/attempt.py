@@ -11,7 +11,7 @@ import numpy as np
 
 from campaigns.conditions import ConditionKeys
 from campaigns.prepare import seeded
-from campaigns.tracks import to_parquet
+from campaigns.tracks import to_parquet, whole_track
 from planners.errors import InputError, TrackworthyError
 from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
@@ -86,7 +86,7 @@ def attempt(job: Job, seed: int, keep: str, labels: dict[str, str]) -> Attempt:
         metrics={name: _measured(metric) for name, metric in outcome.metrics.items()},
         units={name: (metric.unit, metric.better) for name, metric in outcome.metrics.items()},
         profile=error_profile(outcome).astype(np.float32).tobytes(),
-        track=to_parquet(outcome.track, labels) if wanted else None,
+        track=to_parquet(whole_track(outcome), labels) if wanted else None,
     )
 
 

@@ -12,7 +12,7 @@ from planners.errors import InputError
 from planners.files import PathFile
 from planners.outside import OutsidePlanner
 from planners.planner import Planner
-from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario
+from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario, scaled
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.vehicle import Limits
 from sim.vehicles import make_vehicle
@@ -49,6 +49,10 @@ class Reader:
         if case.path and case.path not in self._files:
             self._files[case.path] = files.read(self.folder / case.path)
         scenario = self._scenario(case.scenario) if case.scenario else None
+        if case.unit is not None:
+            if scenario is None:
+                raise InputError("unit", "it has no scenario whose map units they are", "add scenario = ...")
+            scenario = self._rescaled(scenario, case.unit)
         vehicle, limits = self._vehicle(case.vehicle, case.steering_hz)
         return Inputs(self._files.get(case.path), _planner(case), scenario, vehicle, limits)
 
@@ -57,6 +61,13 @@ class Reader:
             place = name if name in BUILT_IN_SCENARIOS or not FilePath(name).suffix else self.folder / name
             self._scenarios[name] = load_scenario(place)
         return self._scenarios[name]
+
+    def _rescaled(self, scenario: Scenario, unit: float) -> Scenario:
+        """One object for each scale, by which plans are told apart."""
+        key = f"{scenario.files[0]} {unit!r}"
+        if key not in self._scenarios:
+            self._scenarios[key] = scaled(scenario, unit)
+        return self._scenarios[key]
 
     def _vehicle(self, name: str, steering_hz: float) -> tuple[str | Aircraft, Limits]:
         if (name, steering_hz) not in self._vehicles:

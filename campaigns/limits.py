@@ -63,6 +63,8 @@ DEFAULT_LIMITS = {
     "incursion_count": Limit(0.5, 0.0),
     "incursion_time": Limit(0.05, 0.05),
     "incursion_depth": Limit(0.005, 0.10),
+    "separation_min": Limit(1.0, 0.05),
+    "departure_delay_max": Limit(1.0, 0.05),
     "steering_max": Limit(0.2, 0.05),
     "steering_rate_max": Limit(1.0, 0.10),
     "lateral_acceleration_max": Limit(0.05, 0.05),

@@ -34,9 +34,9 @@ class Plan:
     seed: int
     folder: FilePath
 
-    def file(self, folder: FilePath) -> FilePath:
-        """Where the path lies within the results `folder`."""
-        return folder / "plans" / f"{self.key}.csv"
+    def file(self, folder: FilePath, number: int = 1) -> FilePath:
+        """Where the path of that number lies within the results `folder`; a fleet has several."""
+        return folder / "plans" / (f"{self.key}.csv" if number == 1 else f"{self.key}-{number}.csv")
 
     def facts(self, folder: FilePath) -> FilePath:
         """Where the facts of a planner of ours lie, written last, also where it found no path."""
@@ -55,12 +55,15 @@ class Plan:
         facts = self.facts(folder)
         return msgspec.json.decode(facts.read_bytes(), type=PlanFacts) if facts.exists() else None
 
-    def load(self, folder: FilePath) -> Path | str:
-        """The path as it was stored, or the reason why there is none."""
-        if not self.file(folder).exists() and (told := self.told(folder)):
+    def load(self, folder: FilePath) -> tuple[Path, ...] | str:
+        """The paths as they were stored, one a vehicle, or the reason why there are none."""
+        told = self.told(folder)
+        if told is not None and not told.lengths:
             return told.reason
-        path = files.read(self.file(folder)).path
-        return Path(path.points, name=self.scenario.name, frame=self.scenario.map.frame)
+        count = len(told.lengths) if told is not None else 1
+        found = [files.read(self.file(folder, number)).path for number in range(1, count + 1)]
+        frame = self.scenario.map.frame
+        return tuple(Path(path.points, name=self.scenario.name, frame=frame) for path in found)
 
 
 def plans_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str]) -> tuple[Plan, ...]:
@@ -70,9 +73,9 @@ def plans_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str]
         raise InputError("planner", "it has none, or no scenario", "add planner = ... and scenario = ...")
     if isinstance(planner, OutsidePlanner):
         programs = [_program(part, campaign.folder / planner.folder) for part in _words(planner)]
-        deciding: list[object] = [contents, planner.deciding, programs]
+        deciding: list[object] = [contents, case.unit, planner.deciding, programs]
     else:
-        deciding = [contents, planner.name, planner]
+        deciding = [contents, case.unit, planner.name, planner]
     trials = range(1, case.trials + 1) if case.replan else (None,)
     seeds = [plan_seed(campaign.seed, case, trial) for trial in trials]
     return tuple(Plan(digest(*deciding, seed)[:16], planner, inputs.scenario, seed, campaign.folder) for seed in seeds)
@@ -94,12 +97,12 @@ def outstanding(plans: list[Plan], folder: FilePath) -> list[Plan]:
 
 @dataclass(frozen=True, slots=True)
 class Computed:
-    """What a planner gave: a `path`, with the `facts` of one of ours, or those alone where it found none.
+    """What a planner gave: `paths`, with the `facts` of one of ours, or those alone where it found none.
 
     Or the `error` in their place, of that `kind`; and the end of what it `printed`.
     """
 
-    path: Path | None = None
+    paths: tuple[Path, ...] = ()
     facts: PlanFacts | None = None
     error: str = ""
     kind: str = MACHINERY
@@ -116,7 +119,7 @@ def compute(plan: Plan) -> Computed:
     except Exception as error:  # also a fault of ours: it costs the trials of this plan
         wrong = failed(error)
         return Computed(error=f"planner {plan.planner.name}: {wrong.error}", kind=wrong.kind)
-    return Computed(found.paths[0] if found.paths else None, facts)
+    return Computed(found.paths, facts)
 
 
 def keep(plan: Plan, folder: FilePath, computed: Computed) -> None:
@@ -125,9 +128,9 @@ def keep(plan: Plan, folder: FilePath, computed: Computed) -> None:
     plan.log(folder).unlink(missing_ok=True)
     if computed.printed:
         write_text(plan.log(folder), computed.printed)
-    if computed.path is not None:
+    for number, path in enumerate(computed.paths, start=1):
         # In metres, whatever its frame: the scenario's map says where that is
-        files.write(Path(computed.path.points, name=plan.scenario.name), plan.file(folder))
+        files.write(Path(path.points, name=plan.scenario.name), plan.file(folder, number))
     if computed.facts is not None:
         text = msgspec.json.format(msgspec.json.encode(computed.facts), indent=2).decode()
         write_text(plan.facts(folder), f"{text}\n")
@@ -139,7 +142,7 @@ def _outside(plan: Plan, planner: OutsidePlanner) -> Computed:
     except PlannerError as error:
         where = f"; what it printed is in plans/{plan.key}.log" if error.stderr else ""
         return Computed(error=f"{error}{where}", printed=error.stderr)
-    return Computed(planned.path, printed=planned.stderr)
+    return Computed((planned.path,), printed=planned.stderr)
 
 
 def _words(planner: OutsidePlanner) -> tuple[str, ...]:

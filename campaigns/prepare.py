@@ -48,8 +48,8 @@ def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
     return case, (*notes, *_idle(case, inputs.limits))
 
 
-def assemble(case: Case, inputs: Inputs, planned: Path | None = None) -> Trial:
-    """The trial of `case`, with its path from `inputs` or as `planned`; its notes tell how, one line each.
+def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Trial:
+    """The trial of `case`, with its path from `inputs` or those `planned`; its notes tell how, one line each.
 
     Its conditions are those of a trial with seed 0. Raises `InputError` with the place of a fault.
     """
@@ -57,15 +57,16 @@ def assemble(case: Case, inputs: Inputs, planned: Path | None = None) -> Trial:
     notes, source = list(remarks), FilePath(case.path).name or case.name
     if inputs.file is not None:
         notes = [*(f"{source}: {note}" for note in inputs.file.notes), *notes]
-    given = inputs.file.path if inputs.file is not None else planned
-    if given is None:
+    given = (inputs.file.path,) if inputs.file is not None else planned
+    if not given:
         raise InputError(case.name, "it has no path yet")
-    path = given if inputs.scenario is None else in_frame_of(inputs.scenario, given)
-    if case.altitude is not None and path.z is not None:
-        path = replace(path, points=path.xy)
-    if case.corners == "fly-by":
-        path, rounded = _rounded(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
-        notes += [f"{source}: {_corner_note(corner)}" for corner in rounded]
+    flown = []
+    for number, one in enumerate(given, start=1):
+        path, corners = _to_fly(one, case, inputs)
+        whose = f"vehicle {number}: " if len(given) > 1 else ""
+        notes += [f"{source}: {whose}{corner}" for corner in corners]
+        flown.append(path)
+    path, *others = flown
     fence = inputs.file.fence if inputs.file is not None else None
     trial = Trial(
         name=case.name,
@@ -81,8 +82,23 @@ def assemble(case: Case, inputs: Inputs, planned: Path | None = None) -> Trial:
         require=case.require,
         expect=case.expect,
         notes=tuple(notes),
+        others=tuple(others),
+        departures=case.departures,
+        separation=_metres(case.separation, "separation"),
     )
     return seeded(trial, case.conditions, 0)
+
+
+def _to_fly(path: Path, case: Case, inputs: Inputs) -> tuple[Path, list[str]]:
+    """A path of the settled case as it is to be flown, and what became of its corners."""
+    if inputs.scenario is not None:
+        path = in_frame_of(inputs.scenario, path)
+    if case.altitude is not None and path.z is not None:
+        path = replace(path, points=path.xy)
+    if case.corners != "fly-by":
+        return path, []
+    path, rounded = _rounded(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
+    return path, [_corner_note(corner) for corner in rounded]
 
 
 def check_metric_names(requirements: Sequence[str]) -> None:

@@ -16,7 +16,7 @@ from campaigns.lanes import Lanes
 from campaigns.plans import Plan
 from campaigns.ready import ReadyCase, seeds_of
 from campaigns.store import Store
-from campaigns.tracks import to_parquet
+from campaigns.tracks import to_parquet, whole_track
 from campaigns.workers import WorkerDiedError
 from planners.atomic_file import atomic
 from planners.errors import TrackworthyError
@@ -139,7 +139,7 @@ def replay_each(tasks: Sequence[Task], lanes: Lanes) -> Iterator[tuple[Task, Out
 
 def keep_track(folder: Path, task: Task, track: bytes | Outcome) -> None:
     """Store a track in the results `folder`, as the Parquet file it is or is made."""
-    content = track if isinstance(track, bytes) else to_parquet(track.track, task.labels)
+    content = track if isinstance(track, bytes) else to_parquet(whole_track(track), task.labels)
     (folder / "tracks").mkdir(exist_ok=True)
     with atomic(folder / "tracks" / f"{task.key[:16]}.parquet") as temporary:
         temporary.write_bytes(content)

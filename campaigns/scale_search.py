@@ -6,10 +6,8 @@ from typing import Annotated, Any
 
 import msgspec
 
-from campaigns.case import Case
+from campaigns.case import Case, Corners, Unit
 from campaigns.conditions import CALM, ConditionKeys
-
-Unit = Annotated[float, msgspec.Meta(gt=0.0)]
 
 
 class ScaleSearch(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -27,7 +25,9 @@ class ScaleSearch(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     vehicle: str
     controller: str = "lqr"
     speed: str | float | None = None
+    altitude: str | float | None = None
     corridor: str | float | None = None
+    corners: Corners = "as-drawn"
     conditions: ConditionKeys = CALM
     require: tuple[str, ...] = ()
     between: tuple[Unit, Unit] = (0.5, 100.0)
@@ -39,6 +39,6 @@ class ScaleSearch(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
         """What is planned and flown at each scale."""
         return Case(
             name=self.name, scenario=self.scenario, planner=self.planner, set=self.set, plan_seed=self.plan_seed,
-            vehicle=self.vehicle, controller=self.controller, speed=self.speed, corridor=self.corridor,
-            conditions=self.conditions, require=self.require,
+            vehicle=self.vehicle, controller=self.controller, speed=self.speed, altitude=self.altitude,
+            corridor=self.corridor, corners=self.corners, conditions=self.conditions, require=self.require,
         )  # fmt: skip

@@ -97,8 +97,8 @@ def _step(ready: ReadySearch, unit: float) -> Step:
         plan = plan_with(ready.planner, scenario, ready.plan_seed)
         if not plan.paths:
             return Step(unit=unit, trackworthy=False, reason=f"{plan.outcome}: {plan.reason}")
-        path = Path(plan.paths[0].points, name=scenario.name, frame=scenario.map.frame)
-        trial = assemble(ready.case, replace(ready.inputs, scenario=scenario), path)
+        paths = tuple(Path(path.points, name=scenario.name, frame=scenario.map.frame) for path in plan.paths)
+        trial = assemble(ready.case, replace(ready.inputs, scenario=scenario), paths)
         outcome = run_trial(seeded(trial, ready.case.conditions, ready.seed))
     except InputError as error:
         return Step(unit=unit, trackworthy=False, reason=str(error))

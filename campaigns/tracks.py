@@ -4,9 +4,26 @@ from __future__ import annotations
 
 import io
 
+import numpy as np
+
 from tracking.columns import UNITS
 from tracking.metric import SCHEMA_VERSION
+from tracking.outcome import Outcome
 from tracking.track import Track
+
+
+def whole_track(outcome: Outcome) -> Track:
+    """The track of `outcome`; those of a fleet follow each other, with the number of each vehicle from 1 on, and its
+    departure [s], in front.
+    """
+    fleet, one = outcome.fleet, outcome.track
+    if fleet is None:
+        return one
+    tracks = [member.track for member in fleet.members]
+    rows = [len(track) for track in tracks]
+    numbers = np.repeat(np.arange(1.0, len(rows) + 1.0), rows)
+    data = np.column_stack([numbers, np.repeat(fleet.departures, rows), np.concatenate([one.data for one in tracks])])
+    return Track(("vehicle", "departure", *one.columns), data, one.ended, one.frame)
 
 
 def to_parquet(track: Track, labels: dict[str, str]) -> bytes:

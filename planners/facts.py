@@ -39,6 +39,7 @@ class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
     reason: str = ""
     notes: tuple[str, ...] = ()
     length: float | None = None
+    lengths: tuple[float, ...] = ()
     polyline_length: float | None = None
     exact_length: float | None = None
     turn_angle_max_deg: float | None = None
@@ -95,6 +96,7 @@ def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenari
     return replace(
         facts,
         length=path.length,
+        lengths=(path.length,),
         polyline_length=plan.polylines[0].length if plan.polylines else path.length,
         exact_length=exact_length(scenario, planner.clearance),
         turn_angle_max_deg=math.degrees(float(np.abs(path.turns).max())),

@@ -34,8 +34,9 @@ class Scenario:
 
     `size` is the width and height of the map [m], whose south-west corner is the origin, `unit` [m] how long
     a map unit of the file is. `max_range` [m] limits the length of a path, `max_turn_angle` [rad] the turn at
-    its vertices; None where there is no limit. `picture` is the aerial image of a map whose truth is known,
-    for planners that find the obstacles in it; `files` all that was read, the scenario's own first.
+    its vertices; None where there is no limit. `planet` is where the map lies, "" for anywhere. `picture` is
+    the aerial image of a map whose truth is known, for planners that find the obstacles in it; `files` all
+    that was read, the scenario's own first.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Scenario:
     unit: float = 1.0
     max_range: float | None = None
     max_turn_angle: float | None = None
+    planet: str = ""
     picture: FilePath | None = None
     files: tuple[FilePath, ...] = ()
 
@@ -74,6 +76,7 @@ def load_scenario(name_or_file: str | FilePath) -> Scenario:
         unit=keys.unit,
         max_range=None if keys.max_range is None else keys.max_range * keys.unit,
         max_turn_angle=None if keys.max_turn_angle is None else math.radians(keys.max_turn_angle),
+        planet=keys.planet,
         picture=picture,
         files=(file, *pictures),
     )

@@ -41,6 +41,7 @@ class ScenarioKeys(msgspec.Struct, forbid_unknown_fields=True):
     name: str
     size: tuple[Length, Length]
     unit: Length = 1.0
+    planet: str = ""
     start: Point | None = None
     goal: Point | None = None
     vehicles: list[Point] | None = None

@@ -98,7 +98,8 @@ class Limits:
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
     commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
     `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
-    `footprint` the body, `bounds` what else must hold for a run to be good.
+    `footprint` the body, `bounds` what else must hold for a run to be good. `separation` [m] is the distance to keep
+    from others of its kind, 0 for none.
     """
 
     kind: str
@@ -114,6 +115,7 @@ class Limits:
     curvature_max: float = math.inf
     climb_gradient: float = 0.0
     descent_gradient: float = 0.0
+    separation: float = 0.0
 
     def turn_radius(self, ground_speed: float, crab: float = 0.0) -> float:
         """Smallest turn radius [m] at `ground_speed` [m/s] with `crab` [rad] between heading and course.

@@ -14,8 +14,8 @@ class Metric:
     """A measured quantity in SI units: angles in radians, "share" for a part of a whole, "1" for counts and ratios.
 
     `better` is "lower", "higher" or "neither". `s` [m] and `t` [s] tell where along the path and when it was worst
-    (NaN where it has no place). A metric that could not be measured has `valid` False, a NaN value, and its reason
-    in `note`.
+    (NaN where it has no place), `who` which of several vehicles ("2", "1 and 3"). A metric that could not be measured
+    has `valid` False, a NaN value, and its reason in `note`.
     """
 
     name: str
@@ -26,6 +26,7 @@ class Metric:
     t: float = math.nan
     valid: bool = True
     note: str = ""
+    who: str = ""
 
 
 class Where(TypedDict, total=False):

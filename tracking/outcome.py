@@ -10,6 +10,7 @@ from planners.path import Path
 from sim.vehicle import Conditions, Limits
 from tracking.feasibility import Feasibility
 from tracking.metric import Metric
+from tracking.separation import Separation
 from tracking.track import Track
 from tracking.verdict import Verdict
 
@@ -20,6 +21,8 @@ class Outcome:
 
     `speed` [m/s] is the commanded airspeed (aircraft) or ground speed; `corridor` [m] the half-width; `obstacles` the
     map it was run on, or None; `notes` what the user should know besides (skipped items, cut corners).
+
+    That of a `fleet` is the outcome of the vehicle that decides, with the metrics and the verdict of all.
     """
 
     name: str
@@ -37,3 +40,20 @@ class Outcome:
     feasibility: Feasibility
     verdict: Verdict
     notes: tuple[str, ...] = ()
+    fleet: Fleet | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Fleet:
+    """Vehicles under way at the same time: the outcome of each, its departure [s], and how far `apart` they were.
+
+    `member` is the number, from 0, of the one that decides. `required` [m] is the separation they should keep, 0 for
+    none; `remedy` departures [s] that would keep it, empty where these do.
+    """
+
+    members: tuple[Outcome, ...]
+    departures: tuple[float, ...]
+    apart: Separation
+    member: int
+    required: float
+    remedy: tuple[float, ...] = ()

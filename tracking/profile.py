@@ -16,8 +16,15 @@ def error_profile(outcome: Outcome) -> Floats:
     """Mean signed cross-track error [m] of each of `PIECES` equal pieces of the path (PIECES,).
 
     Path that was not reached counts with its distance to what was flown. A piece between two samples takes the value
-    between them.
+    between them. Of a fleet, each piece has the error of the vehicle that is farthest off its own path there.
     """
+    if outcome.fleet is not None:
+        profiles = np.array([_profile(member) for member in outcome.fleet.members])
+        return np.asarray(profiles[np.abs(profiles).argmax(axis=0), np.arange(PIECES)])
+    return _profile(outcome)
+
+
+def _profile(outcome: Outcome) -> Floats:
     run = Run(
         outcome.path, outcome.track, outcome.limits, outcome.speed, outcome.corridor, outcome.conditions,
         outcome.feasibility,

@@ -1,4 +1,4 @@
-"""One trial: assess the plan, follow it, measure, judge."""
+"""One trial: assess the plan, follow it, measure, judge; for one vehicle, or for a fleet."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ from sim.vehicles import make_vehicle
 from sim.wind import Wind
 from tracking.controllers import make_controller
 from tracking.feasibility import assess
+from tracking.fleet import FLEET_METRICS, Departures, fleet_outcome, member_seed
 from tracking.loop import ON_PATH, Offset, follow, start_pose
 from tracking.metrics import measure
 from tracking.outcome import Outcome
-from tracking.requirements import default_requirements, with_user_requirements
+from tracking.requirements import default_requirements, split_requirement, with_user_requirements
 from tracking.run import Run
 from tracking.sensors import PERFECT, Sensors
 from tracking.verdict import TRACKWORTHY, judge
@@ -36,6 +37,9 @@ class Trial:
 
     The frame of `conditions` is the path's, where it has one. `speed` [m/s] is true airspeed or ground speed,
     `corridor` [m] the half-width, `require` requirements as the user writes them, `expect` the expected verdict.
+
+    `others` are the paths of the rest of a fleet, one more such vehicle each, under way at the same time: `departures`
+    says whether they leave together or separated by delays, `separation` [m] how far apart they must stay.
     """
 
     name: str
@@ -55,10 +59,25 @@ class Trial:
     expect: str = TRACKWORTHY
     seed: int = 0
     notes: tuple[str, ...] = ()
+    others: tuple[Path, ...] = ()
+    departures: Departures = "together"
+    separation: float | None = None
 
 
 def run_trial(trial: Trial) -> Outcome:
     """Run it. Raises `InputError` for what cannot be tried, `TrackworthyError` when the simulator fails."""
+    if not trial.others:
+        return _run_alone(trial)
+    own = tuple(text for text in trial.require if split_requirement(text)[0] not in FLEET_METRICS)
+    members = [
+        _run_alone(replace(trial, path=path, require=own, seed=member_seed(trial.seed, i)))
+        for i, path in enumerate((trial.path, *trial.others))
+    ]
+    separation = members[0].limits.separation if trial.separation is None else trial.separation
+    return fleet_outcome(trial.name, members, trial.departures, separation, trial.require)
+
+
+def _run_alone(trial: Trial) -> Outcome:
     vehicle = make_vehicle(trial.vehicle, trial.steering_hz)
     limits = vehicle.limits
     speed = limits.speed if trial.speed is None else trial.speed

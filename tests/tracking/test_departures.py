@@ -1,0 +1,89 @@
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tracking.departures import delays, least_waiting, too_close
+from tracking.separation import separation, separation_min
+from tracking.track import Track
+
+SPEED = 50.0  # [m/s]
+
+
+def flight(start, course, seconds):
+    t = np.linspace(0.0, seconds, 20 * seconds + 1)
+    x, y = (start[i] + SPEED * t * (math.cos(course), math.sin(course))[i] for i in (0, 1))
+    return Track(("t", "x", "y", "z"), np.column_stack([t, x, y, np.zeros(len(t))]), "completed")
+
+
+def places(start, course, seconds):
+    track = flight(start, course, seconds)
+    return np.column_stack([track[axis][::20] for axis in "xyz"])
+
+
+def test_square_crossings_are_too_close_within_root_two_distances():
+    """Relative to each other they move at 45 deg: the smallest distance is V |delay| / sqrt(2)."""
+    east, north = places((-2000.0, 0.0), 0.0, 80), places((0.0, -2000.0), math.pi / 2, 80)
+    ((first, last),) = too_close(east, north, 700.0)
+    assert (first, last) == (-19, 19)
+    assert math.sqrt(2.0) * 700.0 / SPEED == pytest.approx(19.8, abs=0.01)
+
+
+def test_on_one_track_they_are_too_close_until_the_first_is_gone():
+    one = places((0.0, 0.0), 0.0, 60)
+    assert too_close(one, one, 100.0) == [(-1, 1)]  # exactly 100 m after two seconds
+    other = places((3000.0, 0.0), math.pi, 60)
+    assert too_close(one, other, 100.0) == [(-60, 60)]
+
+
+def test_what_stays_apart_needs_no_delay():
+    tracks = [flight((0.0, 1000.0 * i), 0.0, 30) for i in range(3)]
+    assert delays(tracks, 999.0) == (0.0, 0.0, 0.0)
+
+
+def test_delays_keep_the_distance_they_were_asked_for():
+    tracks = [
+        flight((-2000.0, 0.0), 0.0, 80),
+        flight((0.0, -2000.0), math.pi / 2, 80),
+        flight((2000.0, 0.0), math.pi, 80),
+    ]
+    leaving = delays(tracks, 500.0)
+    assert min(leaving) == 0.0
+    assert separation_min(separation(tracks, leaving)).value >= 500.0
+    for i, delay in enumerate(leaving):
+        if delay:
+            earlier = [*leaving[:i], delay - 1.0, *leaving[i + 1 :]]
+            assert separation_min(separation(tracks, earlier)).value < 500.0
+
+
+RUNS = st.lists(st.tuples(st.integers(-6, 6), st.integers(0, 3)), max_size=3)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.tuples(RUNS, RUNS, RUNS))
+def test_the_waiting_is_the_least_there_is(drawn):
+    pairs = ((0, 1), (0, 2), (1, 2))
+    conflicts = {pair: joined(runs) for pair, runs in zip(pairs, drawn, strict=True)}
+
+    def free(waits):
+        return not any(low <= waits[j] - waits[i] <= high for (i, j), runs in conflicts.items() for low, high in runs)
+
+    found = least_waiting(3, conflicts)
+    assert free(found)
+    best = min(sum(waits) for waits in product(range(22), repeat=3) if min(waits) == 0 and free(waits))
+    assert sum(found) == best
+
+
+def joined(runs):
+    """Runs apart from each other, ascending, as `too_close` gives them."""
+    seconds = sorted({second for low, length in runs for second in range(low, low + length + 1)})
+    found = []
+    for second in seconds:
+        if found and second == found[-1][1] + 1:
+            found[-1] = (found[-1][0], second)
+        else:
+            found.append((second, second))
+    return found
