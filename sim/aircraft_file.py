@@ -15,7 +15,7 @@ from sim.planet import Planet, planet_of
 from sim.vehicle import Bound, Limits
 
 AIRCRAFT_FOLDER = Path(__file__).parent / "aircraft"
-ALL_AIRCRAFT = ("c172x",)
+ALL_AIRCRAFT = ("c172x", "ares")
 
 
 Positive = Annotated[float, msgspec.Meta(gt=0.0)]

@@ -9,7 +9,7 @@ from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.planet import EARTH, Planet
 from sim.vehicle import Vehicle
 
-ALL_VEHICLES = ("c172x", "truck")
+ALL_VEHICLES = ("c172x", "ares", "truck")
 
 
 DEFAULT_STEERING_HZ = 20.0
