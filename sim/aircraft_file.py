@@ -8,13 +8,14 @@ from typing import Annotated
 
 import msgspec
 
+from planners.errors import InputError
 from planners.footprint import Disc
 from planners.typed_toml import read_toml
-from planners.units import STANDARD_GRAVITY
+from sim.planet import Planet, planet_of
 from sim.vehicle import Bound, Limits
 
 AIRCRAFT_FOLDER = Path(__file__).parent / "aircraft"
-ALL_AIRCRAFT = ("c172x",)
+ALL_AIRCRAFT = ("c172x", "ares")
 
 
 Positive = Annotated[float, msgspec.Meta(gt=0.0)]
@@ -93,7 +94,10 @@ class OwnAutopilot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m], airspeed error [m/s]."""
+    """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m], airspeed error [m/s].
+
+    `separation_min` [m] is the smallest horizontal distance wanted to another aircraft.
+    """
 
     bank_max: Positive
     load_factor_max: Positive
@@ -101,6 +105,7 @@ class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     altitude_error_max: Positive
     speed_error_max: Positive
     source: str
+    separation_min: float = 0.0
 
     def bounds(self) -> tuple[Bound, ...]:
         """The same as default requirements, in SI units."""
@@ -115,7 +120,10 @@ class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One aircraft file. `root` is a JSBSim root folder beside the file; left out, JSBSim's own."""
+    """One aircraft file. `root` is a JSBSim root folder beside the file; left out, JSBSim's own.
+
+    `planet` is where it is at home, "earth" or "mars".
+    """
 
     name: str
     model: str
@@ -128,21 +136,27 @@ class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     throttle: Throttle
     own_autopilot: OwnAutopilot = OwnAutopilot()
     root: str = ""
+    planet: str = "earth"
+
+    @property
+    def home(self) -> Planet:
+        """The planet it is made for."""
+        return planet_of(self.planet)
 
     @property
     def bank_limit(self) -> float:
         """Largest bank commanded [rad]."""
         return math.radians(self.envelope.bank_limit)
 
-    def limits(self) -> Limits:
-        """The limits that guidance, feasibility and requirements use."""
+    def limits(self, planet: Planet) -> Limits:
+        """The limits that guidance, feasibility and requirements use on `planet`."""
         envelope = self.envelope
         return Limits(
             kind="fixed-wing",
             speed=envelope.speed,
             speed_min=envelope.speed_min,
             speed_max=envelope.speed_max,
-            lateral_acceleration=STANDARD_GRAVITY * math.tan(self.bank_limit),
+            lateral_acceleration=planet.gravity * math.tan(self.bank_limit),
             response_time=self.roll.response_time,
             equivalent_length=2.0 * envelope.speed * self.roll.response_time,
             corridor=envelope.corridor,
@@ -150,6 +164,7 @@ class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             bounds=self.operation.bounds(),
             climb_gradient=envelope.climb_gradient,
             descent_gradient=envelope.descent_gradient,
+            separation=self.operation.separation_min,
         )
 
 
@@ -158,6 +173,10 @@ def load_aircraft(name_or_file: str) -> Aircraft:
     built_in = name_or_file in ALL_AIRCRAFT
     file = AIRCRAFT_FOLDER / f"{name_or_file}.toml" if built_in else Path(name_or_file)
     aircraft = read_toml(file, Aircraft)
+    try:
+        planet_of(aircraft.planet)
+    except InputError as error:
+        raise InputError(str(file), *error.args[1:]) from None
     if aircraft.root:
         return msgspec.structs.replace(aircraft, root=str(file.parent / aircraft.root))
     return aircraft

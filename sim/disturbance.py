@@ -1,4 +1,4 @@
-"""Turbulence and gusts on top of the steady wind, through JSBSim's own model of winds (FGWinds)."""
+"""Turbulence and gusts on top of the steady wind, through JSBSim's model of winds (FGWinds)."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ from collections.abc import Callable
 from hashlib import blake2b
 
 import jsbsim
+import numpy as np
 
 from planners.errors import InputError
 from planners.units import METRES_PER_FOOT
+from sim.dryden import dryden_gusts
 from sim.jsbsim_model import property_node
-from sim.wind import Gust
+from sim.wind import Dryden, Gust
 
 TUSTIN_DRYDEN = 4  # JSBSim's turb-type ttTustin: Dryden's spectra as in Yeager 1998, NASA CR-1998-206937
 # Wind at 20 ft [kt] by severity: 15, 30 and 45 kt are light, moderate and severe (MIL-F-8785C, low-altitude model), the
@@ -51,14 +53,49 @@ def jsbsim_seed(seed: int) -> int:
 
     JSBSim takes -2, -1, 0, 1 and 2^31 - 1 for the same, and flies s and 2^31 - 1 - s in mirrored weather.
     """
-    digest = blake2b(str(seed).encode(), digest_size=8).digest()
-    return 1 + int.from_bytes(digest, "big") % SEEDS
+    return 1 + _scattered(seed) % SEEDS
 
 
-def gust_of(fdm: jsbsim.FGFDMExec, gust: Gust | None) -> Callable[[float], None] | None:
-    """What makes `gust` blow as at a time [s] of the run, to be called before every step; None for none."""
-    if gust is None:
+def _scattered(seed: int) -> int:
+    return int.from_bytes(blake2b(str(seed).encode(), digest_size=8).digest(), "big")
+
+
+def gusts_of(
+    fdm: jsbsim.FGFDMExec, gust: Gust | None, dryden: Dryden | None, airspeed: float, dt: float, seed: int
+) -> Callable[[float], None] | None:
+    """What makes `gust` and `dryden` blow as at a time [s] of the run, to be called before every step; None for none.
+
+    Steps are `dt` [s] long; `seed` decides the turbulence, whose lengths pass at `airspeed` [m/s].
+    """
+    peaks = _peaks(gust)
+    turbulence = dryden and dryden_gusts(dryden, airspeed, dt, np.random.default_rng(_scattered(seed)))
+    if gust is None and turbulence is None:
         return None
+    set_north, set_east, set_down = (
+        property_node(fdm, f"atmosphere/gust-{axis}-fps").set_double_value for axis in ("north", "east", "down")
+    )
+    heading = property_node(fdm, "attitude/psi-rad").get_double_value
+
+    def blow(t: float) -> None:
+        share = gust.share(t) if gust else 0.0
+        north, east, down = share * peaks[0], share * peaks[1], share * peaks[2]
+        if turbulence:
+            along, left, up = next(turbulence)
+            psi = heading()
+            north += (along * math.cos(psi) + left * math.sin(psi)) / METRES_PER_FOOT
+            east += (along * math.sin(psi) - left * math.cos(psi)) / METRES_PER_FOOT
+            down -= up / METRES_PER_FOOT
+        set_north(north)
+        set_east(east)
+        set_down(down)
+
+    return blow
+
+
+def _peaks(gust: Gust | None) -> tuple[float, float, float]:
+    """North, east and down [ft/s]; raises `InputError` for what is no gust."""
+    if gust is None:
+        return 0.0, 0.0, 0.0
     values = (gust.east, gust.north, gust.up, gust.start, gust.duration)
     if not all(map(math.isfinite, values)) or gust.duration <= 0.0 or gust.start < 0.0:
         raise InputError(
@@ -66,15 +103,4 @@ def gust_of(fdm: jsbsim.FGFDMExec, gust: Gust | None) -> Callable[[float], None]
             f"{gust.duration:g} s from {gust.start:g} s, of ({gust.east:g}, {gust.north:g}, {gust.up:g}) m/s, is none",
             "give finite numbers, a duration above 0 s and a start at 0 s or later",
         )
-    peaks = {"north": gust.north, "east": gust.east, "down": -gust.up}
-    components = [
-        (property_node(fdm, f"atmosphere/gust-{axis}-fps").set_double_value, peak / METRES_PER_FOOT)
-        for axis, peak in peaks.items()
-    ]
-
-    def blow(t: float) -> None:
-        share = gust.share(t)
-        for set_component, peak in components:
-            set_component(share * peak)
-
-    return blow
+    return gust.north / METRES_PER_FOOT, gust.east / METRES_PER_FOOT, -gust.up / METRES_PER_FOOT

@@ -7,12 +7,21 @@ from dataclasses import replace
 
 from planners.errors import InputError
 from planners.frame import point_transform, true_north
-from planners.units import METRES_PER_FOOT, wrap
+from planners.units import METRES_PER_FOOT, STANDARD_GRAVITY, wrap
 from sim.aircraft_file import Aircraft
 from sim.autopilot import Autopilot
 from sim.ballast import scale_mass
-from sim.disturbance import gust_of, start_turbulence
-from sim.jsbsim_model import load_model, property_node, start_in_equilibrium
+from sim.disturbance import gusts_of, start_turbulence
+from sim.jsbsim_model import (
+    KILOGRAMS_PER_POUND,
+    NoEquilibriumError,
+    load_model,
+    property_node,
+    release_level,
+    start_in_equilibrium,
+)
+from sim.planet import EARTH, Planet
+from sim.planet_air import check_planet
 from sim.vehicle import GROUND, NOT_A_NUMBER, STALL, Command, Conditions, Pose, State
 
 STEP = 1.0 / 120.0  # [s] of the simulation and, in it, of the attitude loops
@@ -32,29 +41,41 @@ class FixedWing:
         "stall_margin",
         "sideslip",
         "throttle",
+        "fuel",
     )
 
-    def __init__(self, aircraft: Aircraft) -> None:
+    def __init__(self, aircraft: Aircraft, planet: Planet | None = None) -> None:
         self.name = aircraft.name
-        self.limits = aircraft.limits()
+        self._planet = planet or aircraft.home
+        self.limits = aircraft.limits(self._planet)
         self._aircraft = aircraft
+        self._weights_per_g = STANDARD_GRAVITY / self._planet.gravity
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
         """Start in equilibrium in the wind, on the course of `pose`, at the true airspeed `speed` [m/s].
 
-        `seed` decides the turbulence, which grows from calm in the first seconds.
+        `seed` decides the turbulence, which grows from calm in the first seconds. Off its home planet, an aircraft
+        that has no equilibrium is let go level, at full throttle.
         """
         self._check(speed, pose)
-        frame = conditions.frame
+        self._check_world(conditions)
+        frame = conditions.frame or self._planet.frame()
         transformer = point_transform(frame)
         lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
-        fdm = load_model(self._aircraft, STEP)
+        fdm = load_model(self._aircraft, STEP, self._planet)
         scale_mass(fdm, conditions.mass_factor)
         self._north = true_north(frame, lat, lon)
         convergence = self._north - math.pi / 2
-        start_in_equilibrium(fdm, replace(pose, course=pose.course - convergence), lat, lon, speed, conditions.wind)
+        on_course = replace(pose, course=pose.course - convergence)
+        try:
+            start_in_equilibrium(fdm, on_course, lat, lon, speed, conditions.wind)
+        except NoEquilibriumError:
+            if self._planet == self._aircraft.home:
+                raise
+            release_level(fdm, on_course, lat, lon, speed, conditions.wind)
+        check_planet(fdm, self._planet, lat, pose.z)
         start_turbulence(fdm, conditions.turbulence, seed)
-        self._blow = gust_of(fdm, conditions.gust)
+        self._blow = gusts_of(fdm, conditions.gust, conditions.dryden, speed, STEP, seed)
         self._frame, self._to_local = frame, transformer.transform
         self._samples = 0
         self._autopilot = Autopilot(self._aircraft, fdm, self.period)
@@ -64,7 +85,7 @@ class FixedWing:
             "velocities/v-east-fps", "velocities/v-north-fps", "velocities/h-dot-fps", "velocities/vt-fps",
             "attitude/phi-rad", "attitude/theta-rad", "attitude/psi-rad",
             "accelerations/Nz", "aero/alpha-rad", "aero/beta-rad", "accelerations/gravity-ft_sec2", "position/h-agl-ft",
-            "gear/wow",
+            "gear/wow", "propulsion/total-fuel-lbs",
         )  # fmt: skip
         self._nodes = [property_node(fdm, name).get_double_value for name in names]
         self._course = pose.course
@@ -116,6 +137,7 @@ class FixedWing:
             gravity,
             above_ground,
             on_wheels,
+            fuel,
         ) = [read() for read in self._nodes]
         x, y = self._to_local(lon, lat)
         if self._samples == NORTH_EVERY:
@@ -133,9 +155,28 @@ class FixedWing:
         return State(
             self._t, x, y, height * METRES_PER_FOOT, heading, course, ground_speed, airspeed * METRES_PER_FOOT,
             climb * METRES_PER_FOOT, curvature, saturated,
-            (-phi, theta, nz, alpha, stall_margin, beta, self._autopilot.throttle),
+            (
+                -phi, theta, nz * self._weights_per_g, alpha, stall_margin, beta, self._autopilot.throttle,
+                fuel * KILOGRAMS_PER_POUND,
+            ),
             _fault(x + y + height + heading, above_ground <= 0.0 or on_wheels > 0.0, stall_margin),
         )  # fmt: skip
+
+    def _check_world(self, conditions: Conditions) -> None:
+        planet = self._planet
+        if conditions.turbulence and planet != EARTH:
+            raise InputError(
+                "turbulence",
+                f"severities are those of the Earth, not of {planet.name}",
+                "give dryden turbulence, its sigma and length",
+            )
+        frame = conditions.frame
+        if frame is not None and (frame.a, frame.b) != (planet.a, planet.b):
+            raise InputError(
+                "frame",
+                f"its ellipsoid of {frame.a:.0f} m is not that of {planet.name}, {planet.a:.0f} m",
+                "fly on the path's planet",
+            )
 
     def _check(self, speed: float, pose: Pose) -> None:
         envelope = self._aircraft.envelope

@@ -18,6 +18,8 @@ from planners.units import METRES_PER_FOOT
 from sim.aircraft_file import Aircraft
 from sim.ballast import add_ballast
 from sim.jsbsim_log import listening
+from sim.planet import Planet
+from sim.planet_air import add_mach, load_planet
 from sim.vehicle import Pose
 from sim.wind import Wind, ground_speed_on_course, heading_for_course
 
@@ -29,8 +31,12 @@ KILOGRAMS_PER_POUND = 0.45359237
 FULL_TRIM = 1  # JSBSim's TrimMode.FULL: forces and moments about all axes
 
 
-def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
-    """Load the JSBSim model of `aircraft`, with our attitude loops in it, stepping by `dt` [s]."""
+class NoEquilibriumError(InputError):
+    """The aircraft cannot hold that speed, altitude and mass in level flight."""
+
+
+def load_model(aircraft: Aircraft, dt: float, planet: Planet | None = None) -> jsbsim.FGFDMExec:
+    """Load the JSBSim model of `aircraft` on `planet`, None at home, with our attitude loops, stepping by `dt` [s]."""
     model = aircraft.model
     folder = Path(aircraft.root or jsbsim.get_default_root_dir())
     file = folder / "aircraft" / model / f"{model}.xml"
@@ -42,10 +48,12 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
             suggestion(model, known) if known else "it has none at all",
         )
     own = aircraft.own_autopilot
+    planet = planet or aircraft.home
     with listening() as listener:
         fdm = jsbsim.FGFDMExec(str(folder))
         fdm.set_debug_level(0)
-        fdm.set_aircraft_path(str(_with_attitude_hold(file, own.systems, own.outputs)))
+        fdm.set_aircraft_path(str(_with_attitude_hold(file, own.systems, own.outputs, planet)))
+        load_planet(fdm, planet)
         try:
             loaded, reason = fdm.load_model(model), ""
         except jsbsim.BaseError as error:
@@ -59,8 +67,10 @@ def load_model(aircraft: Aircraft, dt: float) -> jsbsim.FGFDMExec:
 
 
 @lru_cache
-def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...]) -> Path:
+def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...], planet: Planet) -> Path:
     """An aircraft folder, for this process, whose aircraft, that of `file`, has our attitude loops and our ballast.
+
+    And the Mach number of `planet`.
 
     The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight
     controls read from them, which stay 0 as they are when it is switched off.
@@ -80,6 +90,7 @@ def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[st
         ET.SubElement(off, "property", value="0").text = name
     ET.SubElement(root, "system", file=ATTITUDE_HOLD.stem)
     add_ballast(root)
+    add_mach(root, planet)
 
     folder = Path(tempfile.mkdtemp(prefix="trackworthy-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
@@ -121,11 +132,24 @@ def start_in_equilibrium(
                 return
     kilograms = KILOGRAMS_PER_POUND * fdm["inertia/weight-lbs"]
     said = f" ({listener.errors()})" if listener.errors() else ""
-    raise InputError(
+    raise NoEquilibriumError(
         "speed, altitude or mass",
         f"JSBSim finds no equilibrium for {kilograms:.0f} kg at {airspeed:.4g} m/s and {pose.z:.0f} m{said}",
         "choose others",
     )
+
+
+def release_level(
+    fdm: jsbsim.FGFDMExec, pose: Pose, lat: float, lon: float, airspeed: float, wind: Wind
+) -> None:
+    """Let go of an aircraft that has no equilibrium: level on the course of `pose` at `airspeed` [m/s], full throttle."""
+    heading = heading_for_course(airspeed, pose.course, wind)
+    with listening():
+        _initialise(fdm, pose.z, lat, lon, airspeed, heading, wind)
+    fdm["atmosphere/wind-north-fps"] = wind.north / METRES_PER_FOOT
+    fdm["atmosphere/wind-east-fps"] = wind.east / METRES_PER_FOOT
+    for engine in range(fdm.get_propulsion().get_num_engines()):
+        fdm[f"fcs/throttle-cmd-norm[{engine}]"] = 1.0
 
 
 def _initialise(

@@ -10,7 +10,7 @@ import msgspec
 
 from planners.footprint import Footprint
 from planners.frame import Frame
-from sim.wind import Gust, Wind
+from sim.wind import Dryden, Gust, Wind
 
 NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
 
@@ -66,15 +66,17 @@ class Pose:
 class Conditions:
     """The world a trial runs in: steady `wind`, and the `frame` that places the local coordinates on the planet.
 
-    `turbulence` is the severity of Dryden turbulence as the number of MIL-F-8785C's probability-of-exceedance curve (3
-    light, 4 moderate, 6 severe), 0 for none. `mass_factor` multiplies an aircraft's mass, `friction` is the tyres'
+    Without a `frame`, the origin is at latitude 0, longitude 0. `turbulence` is the severity of Dryden turbulence on
+    Earth as the number of MIL-F-8785C's probability-of-exceedance curve (3 light, 4 moderate, 6 severe), 0 for none;
+    `dryden` is turbulence by its strength and length, on any planet. `mass_factor` multiplies an aircraft's mass, `friction` is the tyres'
     coefficient on this road, None the vehicle's own.
     """
 
     wind: Wind = field(default_factory=Wind)
-    frame: Frame = field(default_factory=lambda: Frame(0.0, 0.0))
+    frame: Frame | None = None
     turbulence: float = 0.0
     gust: Gust | None = None
+    dryden: Dryden | None = None
     mass_factor: float = 1.0
     friction: float | None = None
 
@@ -98,8 +100,8 @@ class Limits:
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
     commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
     `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
-    `footprint` the body, `bounds` what else must hold for a run to be good. `separation` [m] is the distance to keep
-    from others of its kind, 0 for none.
+    `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest horizontal
+    distance wanted to another vehicle.
     """
 
     kind: str

@@ -6,20 +6,25 @@ from pathlib import Path
 
 from planners.errors import InputError
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
+from sim.planet import EARTH, Planet
 from sim.vehicle import Vehicle
 
-ALL_VEHICLES = ("c172x", "truck")
+ALL_VEHICLES = ("c172x", "ares", "truck")
 
 
 DEFAULT_STEERING_HZ = 20.0
 
 
-def make_vehicle(vehicle: str | Aircraft, steering_hz: float = DEFAULT_STEERING_HZ) -> Vehicle:
+def make_vehicle(
+    vehicle: str | Aircraft, steering_hz: float = DEFAULT_STEERING_HZ, planet: Planet | None = None
+) -> Vehicle:
     """The vehicle of that name, the aircraft of that TOML file, or the aircraft given; `InputError` for an unknown one.
 
-    `steering_hz` [Hz] is how often guidance may steer a truck. Simulators are imported here, when they are needed.
+    `steering_hz` [Hz] is how often guidance may steer a truck; `planet` where to be, None at home. Simulators are imported here, when they are needed.
     """
     if vehicle == "truck":
+        if planet not in (None, EARTH):
+            raise InputError("planet", "the truck drives on earth only", "leave the planet out")
         from sim.truck import Truck
 
         return Truck(steering_hz)
@@ -29,9 +34,9 @@ def make_vehicle(vehicle: str | Aircraft, steering_hz: float = DEFAULT_STEERING_
     from sim.fixed_wing import FixedWing
 
     if isinstance(vehicle, Aircraft):
-        return FixedWing(vehicle)
+        return FixedWing(vehicle, planet)
     if vehicle in ALL_AIRCRAFT or Path(vehicle).suffix == ".toml":
-        return FixedWing(load_aircraft(vehicle))
+        return FixedWing(load_aircraft(vehicle), planet)
     raise InputError(
         "vehicle",
         f"there is no vehicle {vehicle!r}",

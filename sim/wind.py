@@ -55,6 +55,22 @@ class Gust:
         return 0.5 * (1.0 - math.cos(2.0 * math.pi * phase)) if 0.0 < phase < 1.0 else 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class Dryden:
+    """Dryden turbulence on any planet: standard deviation `sigma` [m/s] and length scale `length` [m].
+
+    `sigma` is one for all axes, or (along, across, up): along and across the aircraft's heading.
+    """
+
+    sigma: float | tuple[float, float, float]
+    length: float
+
+    @property
+    def sigmas(self) -> tuple[float, float, float]:
+        """Standard deviations [m/s] along, across, up."""
+        return self.sigma if isinstance(self.sigma, tuple) else (self.sigma, self.sigma, self.sigma)
+
+
 def parse_wind(text: str, place: str = "wind") -> Wind:
     """Wind from `10@270` or `10m/s@270`: 10 m/s from the west."""
     match = _WIND.fullmatch(text)
