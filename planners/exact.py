@@ -9,14 +9,13 @@ import msgspec
 import numpy as np
 import shapely
 
-from planners.clearance import clearance
-from planners.errors import InputError
-from planners.footprint import Disc
+from planners.assignment import assigned
+from planners.fleet import fleet_ends, pair_name, unserved, why_unserved
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
 from planners.offset import bearings, grown, overlay, shrunk, tangents
 from planners.path import Path
-from planners.planner import NO_PATH, Plan, only_pair
+from planners.planner import NO_PATH, Plan
 from planners.scenario import Scenario
 from planners.visibility import shortest
 
@@ -25,32 +24,44 @@ NEAR = 100.0  # [gaps] as far as a start or goal is moved out of the gap
 
 
 class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Shortest path that keeps `clearance` [m] from everything; it may touch, but not pass between what touches."""
+    """Shortest path that keeps `clearance` [m] from everything; it may touch, but not pass between what touches.
+
+    A fleet takes the assignment of least total length. Range and turn limits do not count: it is a yardstick.
+    """
 
     name: ClassVar[str] = "exact"
-    summary: ClassVar[str] = "shortest path by visibility graph (Lozano-Perez and Wesley 1979)"
+    summary: ClassVar[str] = "shortest paths by visibility graph (Lozano-Perez and Wesley 1979)"
 
     clearance: Annotated[float, msgspec.Meta(ge=0.0)] = 0.0
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
-        """The same path for every seed.
+        """The same paths for every seed.
 
         Arcs are drawn by tangents, so that the path cuts no corner. It is longer than the exact one by less than 1e-5
         of its length, and as much again for each full turn about small round corners; a gap narrower than that counts
         as closed. Raises `InputError` for a start or goal that is nearer than the clearance to what is forbidden.
         """
-        ends = _ends(scenario, self.clearance, self.name)
-        points = _shortest(free_space(scenario.map, self.clearance, ends), ends)
-        if points is None:
+        ends = fleet_ends(scenario, self.clearance, self.name)
+        free, starts = free_space(scenario.map, self.clearance, ends), len(scenario.starts)
+        aircraft, targets = (index.ravel() for index in np.indices((starts, len(scenario.goals))))
+        ways = [_shortest(free, ends[[i, starts + j]]) for i, j in zip(aircraft, targets, strict=True)]
+        found = np.array([way is not None for way in ways])
+        lengths = np.array([0.0 if way is None else float(np.hypot(*np.diff(way, axis=0).T).sum()) for way in ways])
+        chosen = assigned(aircraft, targets, lengths, found)
+        flown = [(int(aircraft[k]), int(targets[k]), ways[k]) for k in chosen]
+        if not flown:
             room = f" with {self.clearance:g} m to spare on either side" if self.clearance else ""
             return Plan(outcome=NO_PATH, reason=f"obstacles and edges leave no way from start to goal{room}")
-        path = Path(points, name=scenario.name, frame=scenario.map.frame)
-        return Plan(paths=(path,), smallest_radius=math.inf if len(points) == 2 else None)
+        frame = scenario.map.frame
+        paths = tuple(Path(way, name=pair_name(scenario, i, j), frame=frame) for i, j, way in flown if way is not None)
+        straight = all(len(path.points) == 2 for path in paths)
+        notes = unserved(scenario, {i for i, _, _ in flown}, why_unserved(scenario))
+        return Plan(paths=paths, smallest_radius=math.inf if straight else None, notes=notes)
 
 
 def free_space(area: Map, clearance: float, ends: Floats) -> Any:
-    """Where a point has the `clearance` [m]: polygons, clipped to what a path between `ends` (2, 2) [m] may need."""
-    span = float(np.hypot(*(ends[1] - ends[0])))
+    """Where a point has the `clearance` [m]: polygons, clipped to what paths between `ends` (N, 2) [m] may need."""
+    span = float(np.hypot(*np.ptp(ends, axis=0)))
     arc = _arc(clearance, span)
     obstacles = [grown(shapely.Polygon(ring), clearance, arc, ends) for ring in area.polygons]
     for circle in area.circles:
@@ -72,24 +83,6 @@ def free_space(area: Map, clearance: float, ends: Floats) -> Any:
         inside.append(shapely.Polygon(chords))
     outside = [overlay(shapely.difference, whole, part) for part in inside]
     return overlay(shapely.difference, whole, overlay(shapely.union_all, [blocked, *outside]))
-
-
-def _ends(scenario: Scenario, keep: float, planner: str) -> Floats:
-    """Start and goal (2, 2) [m], each at least `keep` [m] from what is forbidden."""
-    if not math.isfinite(keep):
-        raise InputError(f"planner {planner}: clearance", f"{keep} m is not possible", "give a finite number")
-    ends = np.array(only_pair(scenario, planner))
-    poses = np.column_stack([ends, np.zeros(2)])
-    depths = -clearance(scenario.map, poses, Disc(0.0))
-    missing = -clearance(scenario.map, poses, Disc(keep))
-    for name, end, depth, lack in zip(("start", "goal"), ends, depths, missing, strict=True):
-        if not lack <= GAP * max(scenario.size):
-            what = f"is {depth:.3g} m deep in what is forbidden"
-            if depth <= 0.0:
-                what = f"is {keep - lack:.3g} m from what is forbidden, nearer than the clearance of {keep:g} m"
-            remedy = "move it to free ground" + (", or give less clearance" if keep else "")
-            raise InputError(f"{scenario.name}: {name}", f"{end.tolist()} m {what}", remedy)
-    return ends
 
 
 def _shortest(free: Any, ends: Floats) -> Floats | None:

@@ -26,8 +26,11 @@ CLEARANCE_DIGITS = 4  # decimals of a metre: a path that touches is 0 clear, wha
 class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
     """A plan in numbers: lengths in metres, angles in degrees; None for what it has not.
 
-    `exact_length` is that of the shortest path that keeps the planner's clearance, by visibility graph. Turn angles
-    are taken where the path is drawn, and when it is sampled every 1 and 5 map units. `best`, `mean` and `survivors`
+    Of a fleet, `length`, `polyline_length` and `exact_length` are sums over its paths, `lengths` those of each, and
+    `longest` the greatest of these; turn angles, radius and clearance are the worst of all. `stages` are the sums after
+    each step of planning. `exact_length` is that of the shortest paths that keep the planner's clearance, by visibility
+    graph, under the best assignment. Turn angles are taken where a path is drawn, and when it is sampled every 1 and 5
+    map units. `best`, `mean` and `survivors`
     are by iteration, `converged` is the first whose best way is within 1 % of the best of all.
     """
 
@@ -40,6 +43,8 @@ class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
     notes: tuple[str, ...] = ()
     length: float | None = None
     lengths: tuple[float, ...] = ()
+    longest: float | None = None
+    stages: tuple[tuple[str, float], ...] = ()
     polyline_length: float | None = None
     exact_length: float | None = None
     turn_angle_max_deg: float | None = None
@@ -52,6 +57,8 @@ class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
     mean: tuple[float | None, ...] = ()
     survivors: tuple[int, ...] = ()
     converged: int | None = None
+    evaluations: tuple[int, ...] = ()
+    cost: tuple[float | None, ...] = ()
 
     @property
     def length_ratio(self) -> float | None:
@@ -60,14 +67,14 @@ class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def facts_of(plan: Plan, planner: Planner, scenario: Scenario, seed: int) -> PlanFacts:
-    """The facts of the first path of `plan`, or why there is none."""
+    """The facts of the paths of `plan`, or why there are none."""
     facts = PlanFacts(
         planner=planner.name, scenario=scenario.name, seed=seed, map_unit=scenario.unit,
         outcome=plan.outcome, reason=plan.reason, notes=plan.notes,
     )  # fmt: skip
     if plan.history is not None:
         facts = _with_search(facts, plan.history)
-    return _with_path(facts, plan, planner, scenario) if plan.paths else facts
+    return _with_paths(facts, plan, planner, scenario) if plan.paths else facts
 
 
 def turn_angle(path: Path, spacing: float) -> float:
@@ -85,23 +92,27 @@ def _with_search(facts: PlanFacts, history: History) -> PlanFacts:
         mean=_known(history.mean),
         survivors=tuple(int(count) for count in history.survivors),
         converged=history.converged,
+        evaluations=() if history.evaluations is None else tuple(int(count) for count in history.evaluations),
+        cost=() if history.cost is None else _known(history.cost),
     )
 
 
-def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenario) -> PlanFacts:
-    path = plan.paths[0]
-    points = np.vstack([path.xy, path.resample(CHECKED * scenario.unit).xy])
+def _with_paths(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenario) -> PlanFacts:
+    paths, lengths = plan.paths, tuple(path.length for path in plan.paths)
+    points = np.vstack([xy for path in paths for xy in (path.xy, path.resample(CHECKED * scenario.unit).xy)])
     poses = np.column_stack([points, np.zeros(len(points))])
     room = float(clearance(scenario.map, poses, Disc(0.0)).min())
     return replace(
         facts,
-        length=path.length,
-        lengths=(path.length,),
-        polyline_length=plan.polylines[0].length if plan.polylines else path.length,
+        length=sum(lengths),
+        lengths=lengths,
+        longest=max(lengths),
+        stages=tuple((stage.name, sum(path.length for path in stage.paths)) for stage in plan.stages),
+        polyline_length=sum(path.length for path in plan.polylines or paths),
         exact_length=exact_length(scenario, planner.clearance),
-        turn_angle_max_deg=math.degrees(float(np.abs(path.turns).max())),
-        turn_angle_1_unit_deg=math.degrees(turn_angle(path, scenario.unit)),
-        turn_angle_5_units_deg=math.degrees(turn_angle(path, 5.0 * scenario.unit)),
+        turn_angle_max_deg=math.degrees(max(float(np.abs(path.turns).max()) for path in paths)),
+        turn_angle_1_unit_deg=math.degrees(max(turn_angle(path, scenario.unit) for path in paths)),
+        turn_angle_5_units_deg=math.degrees(max(turn_angle(path, 5.0 * scenario.unit) for path in paths)),
         smallest_radius=None if plan.smallest_radius is None else float(plan.smallest_radius),
         clearance_min=round(room, CLEARANCE_DIGITS) if math.isfinite(room) else None,
     )
@@ -110,12 +121,14 @@ def _with_path(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenari
 # A campaign compares many plans on a handful of maps.
 @lru_cache(maxsize=16)
 def exact_length(scenario: Scenario, clearance: float) -> float | None:
-    """Length [m] of the shortest path that keeps `clearance` [m]; None where there is none, or it is beyond GEOS."""
+    """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum; None where there is none or GEOS
+    fails.
+    """
     try:
         plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
     except TrackworthyError:
         return None
-    return plan.paths[0].length if plan.paths else None
+    return sum(path.length for path in plan.paths) if plan.paths else None
 
 
 def _known(values: Floats) -> tuple[float | None, ...]:

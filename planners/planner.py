@@ -32,6 +32,10 @@ class History:
     """A search by iteration: `best` and `mean` (I,) length of the ways that arrived then [m], NaN where none did.
 
     `survivors` (I,) counts those, of `population`; `swarms` holds their ways.
+
+    Of swarms that search for a fleet, `best` and `mean` are summed over the aircraft, `best` is the best so far, and
+    `survivors` are the pigeons that keep to all limits. `evaluations` (I,) counts the paths given a cost by
+    then, and `cost` (I,) [m] is the least one so far, which also counts what breaks a limit; None for colonies.
     """
 
     best: Floats
@@ -39,6 +43,8 @@ class History:
     survivors: Ints
     population: int
     swarms: tuple[Swarm, ...] = ()
+    evaluations: Ints | None = None
+    cost: Floats | None = None
 
     @property
     def converged(self) -> int | None:
@@ -48,12 +54,21 @@ class History:
         return int(np.argmax(self.best <= 1.01 * np.nanmin(self.best))) + 1
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Stage:
+    """The paths as they were after one step of planning, called `name`."""
+
+    name: str
+    paths: tuple[Path, ...]
+
+
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Plan:
     """What a planner gave.
 
-    `paths` holds one a start, in its order; none where there is none, and then `outcome` is `NO_PATH` or `NOT_FOUND`
-    and `reason` says why in one line. `polylines` are the paths before they were smoothed, `notes` one line each on
+    `paths` holds one for each start that has a goal, in the order of the starts; none where there is none, and then
+    `outcome` is `NO_PATH` or `NOT_FOUND` and `reason` says why in one line. `stages` are how they came to be, in order,
+    for planners that work in steps. `polylines` are the paths before they were smoothed, `notes` one line each on
     what the user should know. `smallest_radius` [m] is that of the tightest curve, None for a path with corners.
     """
 
@@ -64,6 +79,7 @@ class Plan:
     notes: tuple[str, ...] = ()
     smallest_radius: float | None = None
     history: History | None = None
+    stages: tuple[Stage, ...] = ()
 
 
 class Planner(Protocol):

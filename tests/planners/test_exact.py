@@ -248,9 +248,26 @@ def test_next_to_no_clearance_is_next_to_none(keep):
     assert path_of(area, *ends, keep).length == pytest.approx(path_of(area, *ends).length, rel=1e-6)
 
 
-def test_it_plans_from_one_start_to_one_goal():
-    with pytest.raises(InputError, match="3 starts and 3 goals, and exact plans from one to one"):
-        Exact().plan(load_scenario("mars-hazards-15"), np.random.default_rng(0))
+# tangent graphs, as in the scenario files; with a unit of clearance: ours
+@pytest.mark.parametrize(
+    ("hazards", "units", "total"), [(15, 0, 687.172), (15, 1, 688.51), (25, 0, 690.865), (25, 1, 692.98)]
+)
+def test_a_fleet_has_the_least_total_length(hazards, units, total):
+    fleet = load_scenario(f"mars-hazards-{hazards}")
+    plan = Exact(clearance=units * fleet.unit).plan(fleet, np.random.default_rng(0))
+    assert [path.name[-1] for path in plan.paths] == ["2", "3", "1"]  # the targets of aircraft 1 to 3
+    assert sum(path.length for path in plan.paths) / fleet.unit == pytest.approx(total, rel=1.5e-5)
+
+
+def test_of_a_fleet_as_many_as_possible_are_served():
+    """The nearer of two aircraft leaves the only target that the other can reach to it."""
+    wall = np.array([[18.0, 0.0], [22.0, 0.0], [22.0, 40.0], [18.0, 40.0]])
+    starts, goals = np.array([[30.0, 20.0], [5.0, 20.0], [35.0, 5.0]]), np.array([[39.0, 30.0], [10.0, 30.0]])
+    fleet = Scenario(name="a map", map=Map(polygons=(wall,)), starts=starts, goals=goals, size=(SIDE, SIDE))
+    fleet = replace(fleet, map=replace(fleet.map, bounds=(0.0, 0.0, SIDE, SIDE)))
+    plan = Exact().plan(fleet, np.random.default_rng(0))
+    assert [path.name for path in plan.paths] == ["aircraft 1 to target 1", "aircraft 2 to target 2"]
+    assert plan.notes == ("aircraft 3 has no path: there are fewer targets than aircraft",)
 
 
 def test_the_path_lies_where_the_map_does():

@@ -10,6 +10,7 @@ from planners.errors import TrackworthyError
 from planners.facts import PlanFacts, exact_length, facts_of, turn_angle
 from planners.path import Path
 from planners.planner import NO_PATH
+from planners.scenario import load_scenario
 from sample_maps import ONE_CIRCLE, UNIT, WALLED, scenario
 
 
@@ -56,3 +57,13 @@ def test_a_yardstick_that_fails_costs_no_plan(monkeypatch):
 
     monkeypatch.setattr(facts.Exact, "plan", fails)
     assert exact_length(scenario(), 7.0 * UNIT) is None
+
+
+def test_of_a_fleet_lengths_are_summed_and_the_rest_is_the_worst():
+    fleet = load_scenario("mars-hazards-15")
+    found = told("exact", fleet, clearance=fleet.unit)
+    assert found.length == pytest.approx(sum(found.lengths))
+    assert found.longest == max(found.lengths)
+    assert (len(found.lengths), found.length_ratio) == (3, 1.0)
+    assert found.clearance_min == pytest.approx(fleet.unit, rel=1e-3)
+    assert found.stages == ()

@@ -1,0 +1,1 @@
+"""The Voronoi roadmap of paper 001, and the paths along it."""
