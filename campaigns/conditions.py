@@ -12,7 +12,7 @@ import numpy as np
 from campaigns.distribution import Distribution, Value, drawn
 from planners.errors import InputError
 from sim.vehicle import Conditions
-from sim.wind import Gust, Wind, parse_wind
+from sim.wind import Dryden, Gust, Wind, parse_wind
 from tracking.loop import Offset
 from tracking.sensors import Sensors
 
@@ -38,18 +38,29 @@ class GustKeys(msgspec.Struct, frozen=True, forbid_unknown_fields=True, rename={
     duration: Value = 4.0
 
 
+class DrydenKeys(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Dryden turbulence of standard deviation `sigma` [m/s] about all axes and of `length` [m], on any planet.
+
+    As they are, those of a day on Mars, with the sources in `sim/planet.py`.
+    """
+
+    sigma: Value = 3.0
+    length: Value = 533.4
+
+
 class ConditionKeys(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a trial meets; a number, or a distribution that every trial draws from.
 
     `wind` is steady, as "10@270" or a table; `turbulence` light, moderate, severe or the number of MIL-F-8785C's curve
-    (0 to 7); offsets of the start in metres and degrees to the left; `mass` a factor on an aircraft's, `friction` the
-    tyres' coefficient. What stands between the truth and the controller: standard deviations of `position_noise` [m],
+    (0 to 7), on Earth; `dryden` is turbulence by its numbers, anywhere; offsets of the start in metres and degrees to
+    the left; `mass` a factor on an aircraft's, `friction` the tyres' coefficient. What stands between the truth and the controller: standard deviations of `position_noise` [m],
     `heading_noise` [deg] and `speed_noise` [m/s], their `noise_time` [s] of correlation, and `latency` [s].
     """
 
     wind: str | WindKeys = WindKeys(0.0)
     turbulence: Literal["light", "moderate", "severe"] | Value = 0.0
     gust: GustKeys | None = None
+    dryden: DrydenKeys | None = None
     cross_track_offset: Value = 0.0
     heading_offset: Value = 0.0
     mass: Value = 1.0
@@ -90,6 +101,7 @@ def draw(keys: ConditionKeys, seed: int) -> Draw:
         wind=_wind(keys.wind, rng),
         turbulence=severity,
         gust=_gust(keys.gust, rng) if keys.gust else None,
+        dryden=_dryden(keys.dryden, rng) if keys.dryden else None,
         mass_factor=number("mass", keys.mass, 0.01, 100.0),
         friction=None if keys.friction is None else number("friction", keys.friction, 0.01, 10.0),
     )
@@ -131,3 +143,8 @@ def _gust(keys: GustKeys, rng: np.random.Generator) -> Gust:
     blow = Wind.blowing_from(number("speed", keys.speed, 0.0), number("from", keys.origin, -LARGEST))
     up, start, duration = number("up", keys.up, -LARGEST), number("start", keys.start, 0.0), keys.duration
     return Gust(blow.east, blow.north, up, start, number("duration", duration, 0.01))
+
+
+def _dryden(keys: DrydenKeys, rng: np.random.Generator) -> Dryden:
+    sigma = drawn(keys.sigma, rng, "conditions.dryden.sigma", 0.0, LARGEST)
+    return Dryden(sigma, drawn(keys.length, rng, "conditions.dryden.length", 1.0, LARGEST))

@@ -14,19 +14,24 @@ from planners.outside import OutsidePlanner
 from planners.planner import Planner
 from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario, scaled
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
+from sim.planet import Planet, planet_of
 from sim.vehicle import Limits
 from sim.vehicles import make_vehicle
 
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """`file` is None where a `planner` gives the path; `vehicle` is its name, or all that its file says."""
+    """`file` is None where a `planner` gives the path; `vehicle` is its name, or all that its file says.
+
+    `planet` is None for the vehicle's own.
+    """
 
     file: PathFile | None
     planner: Planner | OutsidePlanner | None
     scenario: Scenario | None
     vehicle: str | Aircraft
     limits: Limits
+    planet: Planet | None = None
 
 
 @dataclass(slots=True)
@@ -36,7 +41,7 @@ class Reader:
     folder: FilePath
     _files: dict[str, PathFile] = field(default_factory=dict)
     _scenarios: dict[str, Scenario] = field(default_factory=dict)
-    _vehicles: dict[tuple[str, float], tuple[str | Aircraft, Limits]] = field(default_factory=dict)
+    _vehicles: dict[tuple[str, float, str], tuple[str | Aircraft, Limits]] = field(default_factory=dict)
 
     def read(self, case: Case) -> Inputs:
         """The inputs of `case`; raises `InputError` with the place of a fault."""
@@ -53,8 +58,10 @@ class Reader:
             if scenario is None:
                 raise InputError("unit", "it has no scenario whose map units they are", "add scenario = ...")
             scenario = self._rescaled(scenario, case.unit)
-        vehicle, limits = self._vehicle(case.vehicle, case.steering_hz)
-        return Inputs(self._files.get(case.path), _planner(case), scenario, vehicle, limits)
+        planet = case.planet or (scenario.planet if scenario is not None else "")
+        vehicle, limits = self._vehicle(case.vehicle, case.steering_hz, planet)
+        where = planet_of(planet) if planet else None
+        return Inputs(self._files.get(case.path), _planner(case), scenario, vehicle, limits, where)
 
     def _scenario(self, name: str) -> Scenario:
         if name not in self._scenarios:
@@ -69,12 +76,13 @@ class Reader:
             self._scenarios[key] = scaled(scenario, unit)
         return self._scenarios[key]
 
-    def _vehicle(self, name: str, steering_hz: float) -> tuple[str | Aircraft, Limits]:
-        if (name, steering_hz) not in self._vehicles:
+    def _vehicle(self, name: str, steering_hz: float, planet: str) -> tuple[str | Aircraft, Limits]:
+        if (name, steering_hz, planet) not in self._vehicles:
             own_file = name not in ALL_AIRCRAFT and FilePath(name).suffix == ".toml"
             vehicle = load_aircraft(str(self.folder / name)) if own_file else name
-            self._vehicles[name, steering_hz] = (vehicle, make_vehicle(vehicle, steering_hz).limits)
-        return self._vehicles[name, steering_hz]
+            made = make_vehicle(vehicle, steering_hz, planet_of(planet) if planet else None)
+            self._vehicles[name, steering_hz, planet] = (vehicle, made.limits)
+        return self._vehicles[name, steering_hz, planet]
 
 
 def _planner(case: Case) -> Planner | OutsidePlanner | None:

@@ -17,7 +17,7 @@ from campaigns.limits import DEFAULT_LIMITS, NO_DIRECTION
 from planners.combine import merge, to_frame
 from planners.corners import Rounded, fly_by
 from planners.errors import InputError
-from planners.in_frame import in_frame_of
+from planners.in_frame import in_frame_of, on_ellipsoid
 from planners.map import Map
 from planners.outside import OutsidePlanner
 from planners.path import Path
@@ -72,6 +72,7 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
         name=case.name,
         path=path,
         vehicle=inputs.vehicle,
+        planet=inputs.planet,
         controller=case.controller,
         speed=_number(case.speed),
         altitude=None if case.altitude is None else _number(case.altitude),
@@ -93,6 +94,8 @@ def _to_fly(path: Path, case: Case, inputs: Inputs) -> tuple[Path, list[str]]:
     """A path of the settled case as it is to be flown, and what became of its corners."""
     if inputs.scenario is not None:
         path = in_frame_of(inputs.scenario, path)
+    if inputs.planet is not None:
+        path = on_ellipsoid(path, inputs.planet.a, inputs.planet.b)
     if case.altitude is not None and path.z is not None:
         path = replace(path, points=path.xy)
     if case.corners != "fly-by":
@@ -155,6 +158,7 @@ def _idle(case: Case, limits: Limits) -> list[str]:
             "wind": keys.wind != WindKeys(0.0),
             "turbulence": keys.turbulence != 0.0,
             "gust": keys.gust is not None,
+            "dryden": keys.dryden is not None,
             "mass": keys.mass != 1.0,
         }
         why = f"it does not move a {case.vehicle}"

@@ -14,6 +14,7 @@ WGS84_A = 6378137.0  # [m] semi-major axis, NGA.STND.0036 table 3.1
 WGS84_B = 6356752.314245  # [m] semi-minor axis, same source
 MARS_A = 3396190.0  # [m] equatorial radius of Mars, IAU WGCCRE report 2015 (Archinal et al. 2018), table 4
 MARS_B = 3376200.0  # [m] mean polar radius, same source
+ELLIPSOIDS = {"earth": (WGS84_A, WGS84_B), "mars": (MARS_A, MARS_B)}
 FAITHFUL_RANGE = 200e3  # [m] beyond it, distances across the frame are stretched by more than 0.02 %
 
 

@@ -1,4 +1,4 @@
-"""Paths moved into the frame of a scenario."""
+"""Paths moved into the frame of a scenario, or onto another planet."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from planners.errors import InputError
+from planners.frame import Frame
 from planners.path import Path
 from planners.scenario import Scenario
 
@@ -23,6 +24,20 @@ def in_frame_of(scenario: Scenario, path: Path) -> Path:
         raise InputError(
             scenario.name, "this scenario has no place on the planet, but the path has", "give it origin = [lat, lon]"
         )
-    geographic = path.frame.to_geographic(path.xy)
-    xy = frame.to_local(geographic[:, 0], geographic[:, 1])
-    return replace(path, points=np.column_stack([xy, path.points[:, 2:]]), frame=frame)
+    return _moved(path, path.frame, frame)
+
+
+def on_ellipsoid(path: Path, a: float, b: float) -> Path:
+    """`path` at the same latitudes and longitudes of the ellipsoid with semi-axes `a`, `b` [m].
+
+    Files give those and no planet, so they are read as the Earth's. A path without a frame stays as it is.
+    """
+    frame = path.frame
+    if frame is None or (frame.a, frame.b) == (a, b):
+        return path
+    return _moved(path, frame, Frame(frame.lat, frame.lon, a, b))
+
+
+def _moved(path: Path, old: Frame, new: Frame) -> Path:
+    xy = new.to_local(*old.to_geographic(path.xy).T)
+    return replace(path, points=np.column_stack([xy, path.points[:, 2:]]), frame=new)

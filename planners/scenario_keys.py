@@ -9,10 +9,11 @@ import msgspec
 import numpy as np
 
 from planners.errors import InputError
-from planners.frame import Frame
+from planners.frame import ELLIPSOIDS, Frame
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster, checked_circle, checked_polygon
 from planners.picture import read_blocked
+from planners.typed_toml import suggestion
 
 LARGEST = 1e9  # [map units, m] anything longer is a slip, infinity among it; no planet is that large
 SQUARE = 1e-3  # relative: how far a picture's cells may be from square
@@ -103,9 +104,12 @@ def _raster(keys: ScenarioKeys, file: FilePath) -> Raster | None:
 
 
 def _frame(keys: ScenarioKeys, file: FilePath) -> Frame | None:
+    if keys.planet and keys.planet not in ELLIPSOIDS:
+        remedy = suggestion(keys.planet, ELLIPSOIDS)
+        raise InputError(f"{file}: planet", f"there is no planet {keys.planet!r}", remedy)
     if keys.origin is None:
         return None
     lat, lon = keys.origin
     if not (abs(lat) <= 90.0 and abs(lon) <= 180.0):
         raise InputError(f"{file}: origin", f"[{lat}, {lon}] is no place", "give [latitude, longitude] in degrees")
-    return Frame(lat, lon)
+    return Frame(lat, lon, *ELLIPSOIDS[keys.planet or "earth"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from campaigns.conditions import CALM, ConditionKeys, GustKeys, WindKeys, known_wind
+from campaigns.conditions import CALM, ConditionKeys, DrydenKeys, GustKeys, WindKeys, known_wind
 from campaigns.distribution import Distribution, Value
 from reports.quantity import number
 from reports.words import wind_words
@@ -26,6 +26,7 @@ def condition_words(keys: ConditionKeys) -> list[str]:
     """Every condition that is not the default: "friction 0.6 to 0.9", "wind Weibull of shape 2, scale 6 m/s"."""
     told = [wind_case_words(keys)] if keys.wind != CALM.wind else []
     told += [_gust_words(keys.gust)] if keys.gust else []
+    told += [_dryden_words(keys.dryden)] if keys.dryden else []
     for name, (word, unit) in _WORDS.items():
         value = getattr(keys, name)
         if value is not None and value != getattr(CALM, name):
@@ -38,6 +39,10 @@ def wind_case_words(keys: ConditionKeys) -> str:
     if (wind := known_wind(keys)) is not None or not isinstance(keys.wind, WindKeys):
         return wind_words(wind) if wind else "no wind"
     return f"wind {_value(keys.wind.speed, ' m/s')}, from {_value(keys.wind.origin, '°')}"
+
+
+def _dryden_words(dryden: DrydenKeys) -> str:
+    return f"Dryden turbulence of {_value(dryden.sigma, ' m/s')} over {_value(dryden.length, ' m')}"
 
 
 def _gust_words(gust: GustKeys) -> str:

@@ -139,9 +139,7 @@ def start_in_equilibrium(
     )
 
 
-def release_level(
-    fdm: jsbsim.FGFDMExec, pose: Pose, lat: float, lon: float, airspeed: float, wind: Wind
-) -> None:
+def release_level(fdm: jsbsim.FGFDMExec, pose: Pose, lat: float, lon: float, airspeed: float, wind: Wind) -> None:
     """Let go of an aircraft that has no equilibrium: level on the course of `pose` at `airspeed` [m/s], full throttle."""
     heading = heading_for_course(airspeed, pose.course, wind)
     with listening():

@@ -13,6 +13,7 @@ from planners.errors import InputError, TrackworthyError
 from planners.map import Map
 from planners.path import Path
 from sim.aircraft_file import Aircraft
+from sim.planet import Planet
 from sim.vehicle import Conditions, Vehicle
 from sim.vehicles import make_vehicle
 from sim.wind import Wind
@@ -35,8 +36,8 @@ DEFAULT_ALTITUDE = 1000.0  # [m] of aircraft, where neither the path nor the use
 class Trial:
     """What to try. None stands for the vehicle's own default; `altitude` [m] counts where the path has no heights.
 
-    The frame of `conditions` is the path's, where it has one. `speed` [m/s] is true airspeed or ground speed,
-    `corridor` [m] the half-width, `require` requirements as the user writes them, `expect` the expected verdict.
+    `planet` is where the vehicle is, None for its own. The frame of `conditions` is the path's, where it has one.
+    `speed` [m/s] is true airspeed or ground speed, `corridor` [m] the half-width, `require` requirements as the user writes them, `expect` the expected verdict.
 
     `others` are the paths of the rest of a fleet, one more such vehicle each, under way at the same time: `departures`
     says whether they leave together or separated by delays, `separation` [m] how far apart they must stay.
@@ -45,6 +46,7 @@ class Trial:
     name: str
     path: Path
     vehicle: str | Aircraft
+    planet: Planet | None = None
     controller: str = "lqr"
     speed: float | None = None
     altitude: float | None = None
@@ -78,7 +80,7 @@ def run_trial(trial: Trial) -> Outcome:
 
 
 def _run_alone(trial: Trial) -> Outcome:
-    vehicle = make_vehicle(trial.vehicle, trial.steering_hz)
+    vehicle = make_vehicle(trial.vehicle, trial.steering_hz, trial.planet)
     limits = vehicle.limits
     speed = limits.speed if trial.speed is None else trial.speed
     own_altitude = 0.0 if limits.kind == "ground" else DEFAULT_ALTITUDE
@@ -88,7 +90,7 @@ def _run_alone(trial: Trial) -> Outcome:
         raise InputError("corridor", f"{corridor:g} m is not a half-width", "choose one above 0")
     conditions = trial.conditions
     if limits.kind == "ground":  # no wind moves a truck
-        conditions = replace(conditions, wind=Wind(), turbulence=0.0, gust=None)
+        conditions = replace(conditions, wind=Wind(), turbulence=0.0, gust=None, dryden=None)
     if trial.path.frame is not None:
         conditions = replace(conditions, frame=trial.path.frame)
     _check_start(trial, vehicle)
