@@ -53,8 +53,9 @@ class ConditionKeys(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     `wind` is steady, as "10@270" or a table; `turbulence` light, moderate, severe or the number of MIL-F-8785C's curve
     (0 to 7), on Earth; `dryden` is turbulence by its numbers, anywhere; offsets of the start in metres and degrees to
-    the left; `mass` a factor on an aircraft's, `friction` the tyres' coefficient. What stands between the truth and the controller: standard deviations of `position_noise` [m],
-    `heading_noise` [deg] and `speed_noise` [m/s], their `noise_time` [s] of correlation, and `latency` [s].
+    the left; `mass` a factor on an aircraft's, `friction` the tyres' coefficient. What stands between the truth and the
+    controller: standard deviations of `position_noise` [m], `heading_noise` [deg] and `speed_noise` [m/s], their
+    `noise_time` [s] of correlation, and `latency` [s].
     """
 
     wind: str | WindKeys = WindKeys(0.0)

@@ -37,7 +37,8 @@ class Trial:
     """What to try. None stands for the vehicle's own default; `altitude` [m] counts where the path has no heights.
 
     `planet` is where the vehicle is, None for its own. The frame of `conditions` is the path's, where it has one.
-    `speed` [m/s] is true airspeed or ground speed, `corridor` [m] the half-width, `require` requirements as the user writes them, `expect` the expected verdict.
+    `speed` [m/s] is true airspeed or ground speed, `corridor` [m] the half-width, `require` requirements as the
+    user writes them, `expect` the expected verdict.
 
     `others` are the paths of the rest of a fleet, one more such vehicle each, under way at the same time: `departures`
     says whether they leave together or separated by delays, `separation` [m] how far apart they must stay.
