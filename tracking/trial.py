@@ -47,7 +47,6 @@ class Trial:
     name: str
     path: Path
     vehicle: str | Aircraft
-    planet: Planet | None = None
     controller: str = "lqr"
     speed: float | None = None
     altitude: float | None = None
@@ -62,6 +61,7 @@ class Trial:
     expect: str = TRACKWORTHY
     seed: int = 0
     notes: tuple[str, ...] = ()
+    planet: Planet | None = None
     others: tuple[Path, ...] = ()
     departures: Departures = "together"
     separation: float | None = None
