@@ -121,7 +121,7 @@ MARS = Planet(
     gas_constant=188.92,  # of pure CO2
     vibrations=((2, 960.2), (1, 1917.9), (1, 3379.7)),  # 667, 1333 and 2349 /cm: Shimanouchi 1972, NSRDS-NBS 39
     air=_mars_air,
-    # Viking 1 between 1.5 and 3.5 km: about 3 m/s (Seiff 1993, JGR 98 E4, 7461); the length is that of MIL-F-8785C, 1750 ft
+    # Viking 1 between 1.5 and 3.5 km: about 3 m/s (Seiff 1993, JGR 98 E4, 7461); length: 1750 ft of MIL-F-8785C
     daytime=Dryden(sigma=3.0, length=533.4),
 )
 ALL_PLANETS = (EARTH, MARS)
