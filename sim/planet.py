@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from planners.errors import InputError
 from planners.frame import MARS_A, MARS_B, WGS84_A, WGS84_B, Frame
 from planners.typed_toml import suggestion
-from planners.units import STANDARD_GRAVITY
+from planners.units import METRES_PER_FOOT, STANDARD_GRAVITY
 from sim.wind import Dryden
+
+PASCALS_PER_PSF = 47.880259  # pound-force per square foot
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,9 +97,13 @@ def _earth_air(height: float) -> tuple[float, float]:
 
 
 def _mars_air(height: float) -> tuple[float, float]:
-    """NASA Glenn Research Center, "Mars Atmosphere Model - Metric Units": fits to Mars Global Surveyor, April 1996."""
-    celsius = -31.0 - 0.000998 * height if height < 7000.0 else -23.4 - 0.00222 * height
-    return 273.15 + celsius, 699.0 * math.exp(-0.00009 * height)
+    """NASA Glenn Research Center, "Mars Atmosphere Model - Imperial Units": fits to Mars Global Surveyor, April 1996.
+
+    As in JSBSim; the model's metric form is rounded otherwise, and 2 % apart at 2500 m.
+    """
+    feet = height / METRES_PER_FOOT
+    fahrenheit = -25.68 - 0.000548 * feet if feet < 22960.0 else -10.34 - 0.001217 * feet
+    return (fahrenheit + 459.67) / 1.8, 14.62 * PASCALS_PER_PSF * math.exp(-0.00003 * feet)
 
 
 EARTH = Planet(
