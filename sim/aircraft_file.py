@@ -47,10 +47,14 @@ class Roll(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Turn coordination: rudder per rad/s of yaw rate and per g s of lateral acceleration."""
+    """Turn coordination: rudder per rad/s of yaw rate and per g s of lateral acceleration, and per aileron.
+
+    The last is what adverse yaw of the ailerons takes, as aircraft with weak directional stability need it.
+    """
 
     rudder: float
     rudder_integral: float
+    rudder_from_aileron: float = 0.0
 
 
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -68,8 +68,8 @@ class Conditions:
 
     Without a `frame`, the origin is at latitude 0, longitude 0. `turbulence` is the severity of Dryden turbulence on
     Earth as the number of MIL-F-8785C's probability-of-exceedance curve (3 light, 4 moderate, 6 severe), 0 for none;
-    `dryden` is turbulence by its strength and length, on any planet. `mass_factor` multiplies an aircraft's mass, `friction` is the tyres'
-    coefficient on this road, None the vehicle's own.
+    `dryden` is turbulence by its strength and length, on any planet. `mass_factor` multiplies an aircraft's mass,
+    `friction` is the tyres' coefficient on this road, None the vehicle's own.
     """
 
     wind: Wind = field(default_factory=Wind)

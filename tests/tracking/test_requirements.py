@@ -72,8 +72,11 @@ def test_every_vehicle_has_sensible_defaults(vehicle):
     assert required["completion"].limit == 1.0
     assert required["cross_track_max"].limit == limits.corridor
     assert required["clearance_min"].limit == 0.0
-    expected = {"c172x": {"bank_max", "load_factor_max", "stall_margin_min"}, "truck": {"lateral_acceleration_max"}}
-    assert expected[vehicle] <= set(required)
+    expected = {
+        "fixed-wing": {"bank_max", "load_factor_max", "stall_margin_min"},
+        "ground": {"lateral_acceleration_max"},
+    }
+    assert expected[limits.kind] <= set(required)
     assert all(requirement.source for requirement in required.values())
 
 
