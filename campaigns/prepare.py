@@ -9,14 +9,13 @@ from pathlib import Path as FilePath
 from typing import Any
 
 import msgspec
-import numpy as np
 
 from campaigns.case import Case
-from campaigns.conditions import ConditionKeys, WindKeys, draw, known_wind
+from campaigns.conditions import ConditionKeys, WindKeys, draw
+from campaigns.fly_by import fly_by_corners
 from campaigns.inputs import Inputs
 from campaigns.limits import DEFAULT_LIMITS, NO_DIRECTION
 from planners.combine import merge, to_frame
-from planners.corners import Rounded, fly_by
 from planners.errors import InputError
 from planners.in_frame import in_frame_of, in_frame_with, on_ellipsoid
 from planners.map import Map
@@ -26,14 +25,9 @@ from planners.scenario import Scenario
 from planners.typed_toml import suggestion
 from planners.units import parse_speed, split_quantity
 from sim.vehicle import Limits
-from sim.wind import Wind
 from tracking.controllers import make_controller
-from tracking.feasibility import required_radius
 from tracking.requirements import split_requirement
 from tracking.trial import Trial
-
-FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
-ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as points
 
 
 def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
@@ -104,8 +98,7 @@ def _to_fly(path: Path, case: Case, inputs: Inputs, first: Path | None) -> tuple
         path = replace(path, points=path.xy)
     if case.corners != "fly-by":
         return path, []
-    path, rounded = _rounded(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
-    return path, [_corner_note(corner) for corner in rounded]
+    return fly_by_corners(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
 
 
 def check_metric_names(requirements: Sequence[str]) -> None:
@@ -178,29 +171,6 @@ def _metres(text: str | float | None, place: str) -> float | None:
     if place == "corridor" and value <= 0.0:
         raise InputError(place, f"{text} is not a half-width", "give one above 0")
     return value * (1000.0 if unit == "km" else 1.0)
-
-
-def _rounded(
-    path: Path, limits: Limits, speed: float, conditions: ConditionKeys, corridor: float
-) -> tuple[Path, tuple[Rounded, ...]]:
-    """Corners as wide as the wind asks for that is known beforehand; where it is drawn, as in calm air."""
-    wind = known_wind(conditions) or Wind()
-
-    def radius(course: float, angle: float) -> float:
-        required = FLY_BY_RESERVE * required_radius(limits, speed, wind, course, angle)
-        if not np.isfinite(required):
-            raise InputError("wind", f"{wind.speed:.4g} m/s of wind cannot be held at {speed:.4g} m/s")
-        return required
-
-    return fly_by(path, radius, ARC_DEVIATION * corridor)
-
-
-def _corner_note(corner: Rounded) -> str:
-    where = f"corner at {corner.s / 1000:.2f} km, {abs(np.degrees(corner.angle)):.0f} deg"
-    if corner.radius == 0.0:
-        return f"{where}: left as drawn, too sharp to fly by"
-    short = f" (wanted {corner.wanted:.0f} m, the legs leave no more)" if corner.radius < 0.999 * corner.wanted else ""
-    return f"{where}: rounded with a radius of {corner.radius:.0f} m{short}, cut by {corner.cut:.1f} m"
 
 
 def _obstacles(path: Path, fences: Sequence[Map | None], scenario: Scenario | None) -> Map | None:

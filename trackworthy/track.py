@@ -37,7 +37,7 @@ def add_parser(commands: Any) -> None:
     add("--departures", choices=("together", "separated"), default="together", help="of a fleet; separated by delays")
     add("--separation", help="metres that a fleet's vehicles must stay apart (default: the vehicle's own)")
     add("--require", action="append", default=[], metavar="LIMIT", help="e.g. 'cross_track_p95<=4'; repeatable")
-    add("--expect", choices=("trackworthy", "not-trackworthy"), default="trackworthy")
+    add("--expect", choices=("trackworthy", "not-trackworthy", "either"), default="trackworthy")
     add("--picture", metavar="FILE.png", help="where to save the picture (default: PATH's name and the vehicle's)")
     add(
         "--export",
