@@ -11,5 +11,5 @@ UNITS = {
     "steering_rate": "rad/s", "yaw_rate": "rad/s", "roll_rate": "rad/s", "pitch_rate": "rad/s",
     "lateral_acceleration": "m/s^2", "curvature": "1/m", "curvature_command": "1/m",
     "saturated": "1", "load_factor": "g", "stall_margin": "rad", "throttle": "1", "friction_use": "1",
-    "elevator": "1", "aileron": "1", "rudder": "1",
+    "elevator": "1", "aileron": "1", "rudder": "1", "fuel": "kg",
 }  # fmt: skip
