@@ -113,13 +113,6 @@ def test_a_heavier_one_needs_more_thrust():
     assert channel([heavy], "throttle") > channel([light], "throttle")
 
 
-def test_bank_responds_within_the_stated_time():
-    aircraft = FixedWing(load_aircraft("ares"))
-    bank = np.degrees(channel(fly(10.0, 5.0), "bank"))
-    reached = np.argmax(bank > (1.0 - math.exp(-1.0)) * 10.0) * FixedWing.period
-    assert reached == pytest.approx(aircraft.limits.response_time, abs=0.1)
-
-
 def test_its_limits_keep_aircraft_apart():
     assert FixedWing(load_aircraft("ares")).limits.separation == 1000.0
     assert FixedWing(load_aircraft("c172x")).limits.separation == 1219.0
