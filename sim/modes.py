@@ -17,7 +17,7 @@ from sim.planet import Planet
 from sim.vehicle import Pose
 from sim.wind import Wind
 
-LONGITUDINAL = ("Vt", "Alpha", "Theta", "Q")
+LONGITUDINAL = ("Vt", "Alpha", "Theta", "Q", "Alt")  # height, whose change of density stiffens a phugoid
 LATERAL = ("Beta", "Phi", "P", "R")
 Complexes = npt.NDArray[np.complex128]
 
@@ -49,9 +49,9 @@ def modes_of(aircraft: Aircraft, planet: Planet, speed: float, altitude: float) 
     """Modes of `aircraft` trimmed level at `speed` [m/s] and `altitude` [m] on `planet`, surfaces and throttle held.
 
     Short period, phugoid, Dutch roll, roll and spiral: the eigenvalues of the longitudinal and the lateral block of
-    JSBSim's linearisation (Stevens, Lewis and Johnson 2016, sect. 4.2), the coupling between them and that with height
-    left out. A roll and a spiral that swing together are one mode, "roll-spiral". Raises `InputError` where the
-    aircraft has no equilibrium.
+    JSBSim's linearisation (Stevens, Lewis and Johnson 2016, sect. 4.2), the coupling between them left out. A propeller
+    keeps its speed, whose change JSBSim does not linearise: the phugoid of c172x is 15 % faster in flight. A roll and a
+    spiral that swing together are one mode, "roll-spiral". Raises `InputError` where the aircraft has no equilibrium.
     """
     fdm = load_model(aircraft, STEP, planet)
     start_in_equilibrium(fdm, Pose(0.0, 0.0, altitude, 0.0), 0.0, 0.0, speed, Wind())
@@ -62,7 +62,8 @@ def modes_of(aircraft: Aircraft, planet: Planet, speed: float, altitude: float) 
         np.linalg.eigvals(matrix[np.ix_(block, block)])
         for block in ([names.index(name) for name in states] for states in (LONGITUDINAL, LATERAL))
     )
-    slow, fast = np.split(pitching[np.argsort(np.abs(pitching))], 2)
+    _, *pairs = pitching[np.argsort(np.abs(pitching))]  # without the slow drift in height
+    slow, fast = np.split(np.array(pairs), 2)
     swinging = yawing[yawing.imag > 0.0]
     dutch_roll, *coupled = swinging[np.argsort(-np.abs(swinging))]
     single = sorted((float(root.real) for root in yawing if root.imag == 0.0), key=abs)

@@ -47,16 +47,16 @@ def test_it_forgets_as_dryden_says(long, lag):
 
 
 def test_its_spectra_are_those_of_the_standard(long):
-    """MIL-F-8785C, 3.7.1.2, over Omega L = omega L / V, up to a fifth of the sampling rate, where it folds back little."""
+    """MIL-F-8785C, 3.7.1.2, over Omega L = omega L / V, where sampling folds little back."""
     frequency, power = welch(long, fs=1.0 / DT, nperseg=2048, axis=0)
-    chosen = (frequency > 0.005) & (frequency < 0.2 / DT)
+    chosen = (frequency > 0.005) & (frequency < 0.05 / DT)
     x = 2.0 * math.pi * frequency[chosen] * L / V
     along = 2.0 / math.pi / (1.0 + x**2)
     across = 1.0 / math.pi * (1.0 + 3.0 * x**2) / (1.0 + x**2) ** 2
-    # one-sided, per hertz instead of per rad/m; the exact sampling adds what folds back
+    # per hertz instead of per rad/m
     expected = np.square(SIGMA) * 2.0 * math.pi * L / V * np.column_stack([along, across, across])
     ratio = power[chosen] / expected
-    bands = np.array([band.mean(axis=0) for band in np.array_split(ratio[: len(ratio) // 4], 4)])
+    bands = np.array([band.mean(axis=0) for band in np.array_split(ratio, 4)])
     assert bands == pytest.approx(1.0, abs=0.12)
 
 
@@ -108,7 +108,7 @@ def test_the_aircraft_feels_it_and_the_same_seed_flies_the_same_bits():
 
 
 def test_it_adds_to_a_gust():
-    """Air felt through a gust in turbulence, less that in turbulence alone, is the gust, to what the aircraft answers."""
+    """Airspeed in a gust in turbulence, less that in turbulence alone, is the gust, but for the aircraft's answer."""
     gust = Gust(-8.0 * math.cos(0.3), -8.0 * math.sin(0.3), 0.0, start=1.0, duration=1.0)
     both, alone = fly(MARS.daytime, 3, gust, 1.5), fly(MARS.daytime, 3, None, 1.5)
     assert both[-1].airspeed - alone[-1].airspeed == pytest.approx(8.0, abs=0.3)
