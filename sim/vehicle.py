@@ -10,6 +10,7 @@ import msgspec
 
 from planners.footprint import Footprint
 from planners.frame import Frame
+from planners.units import STANDARD_GRAVITY
 from sim.wind import Dryden, Gust, Wind
 
 NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
@@ -100,8 +101,8 @@ class Limits:
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
     commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
     `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
-    `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest horizontal
-    distance wanted to another vehicle.
+    `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest distance
+    wanted to another vehicle. `altitude` [m] is the default, `gravity` [m/s^2] that of where the vehicle is.
     """
 
     kind: str
@@ -118,6 +119,8 @@ class Limits:
     climb_gradient: float = 0.0
     descent_gradient: float = 0.0
     separation: float = 0.0
+    altitude: float = 0.0
+    gravity: float = STANDARD_GRAVITY
 
     def turn_radius(self, ground_speed: float, crab: float = 0.0) -> float:
         """Smallest turn radius [m] at `ground_speed` [m/s] with `crab` [rad] between heading and course.
