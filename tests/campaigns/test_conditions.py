@@ -4,12 +4,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from campaigns.conditions import CALM, ConditionKeys, GustKeys, WindKeys, draw, known_wind
+from campaigns.conditions import CALM, ConditionKeys, DrydenKeys, GustKeys, WindKeys, draw, known_wind
 from campaigns.distribution import Distribution
 from planners.errors import InputError
 from planners.typed_toml import convert
+from sim.planet import MARS
 from sim.vehicle import Conditions
-from sim.wind import Wind
+from sim.wind import Dryden, Wind
 from tracking.loop import ON_PATH
 from tracking.sensors import PERFECT
 
@@ -21,6 +22,7 @@ ALL_DRAWN = ConditionKeys(
         Distribution(uniform=(1.0, 9.0)), Distribution(uniform=(0.0, 360.0)), Distribution(normal=(0.0, 2.0)),
         Distribution(uniform=(0.0, 60.0)), Distribution(uniform=(1.0, 8.0)),
     ),
+    dryden=DrydenKeys(Distribution(uniform=(0.0, 3.0)), Distribution(uniform=(100.0, 900.0))),
     cross_track_offset=Distribution(normal=(0.0, 3.0)),
     heading_offset=Distribution(normal=(0.0, 10.0)),
     mass=Distribution(uniform=(0.8, 1.2)),
@@ -71,6 +73,9 @@ def test_another_seed_draws_every_number_anew():
     """But for the turbulence, which has eight values only."""
     for one, other in zip(numbers(draw(ALL_DRAWN, 1)), numbers(draw(ALL_DRAWN, 2)), strict=True):
         assert one != other or one in range(8)
+    one, other = (draw(ALL_DRAWN, seed).conditions.dryden for seed in (1, 2))
+    assert one.sigma != other.sigma
+    assert one.length != other.length
     assert len({draw(ALL_DRAWN, seed).conditions.turbulence for seed in range(200)}) == 8
 
 
@@ -96,6 +101,11 @@ def test_wind_and_gust_blow_from_where_they_say(origin, east, north):
     assert (gust.east, gust.north, gust.up) == pytest.approx((east, north, 0.0), abs=1e-12)
 
 
+def test_dryden_turbulence_is_that_of_a_day_on_mars_unless_said_otherwise():
+    assert draw(ConditionKeys(dryden=DrydenKeys()), 0).conditions.dryden == MARS.daytime
+    assert draw(ConditionKeys(dryden=DrydenKeys(1.5, 300.0)), 0).conditions.dryden == Dryden(1.5, 300.0)
+
+
 @given(st.floats(-180.0, 180.0), st.floats(0.0, 180.0))
 def test_degrees_become_radians(offset, noise):
     one = draw(ConditionKeys(heading_offset=offset, heading_noise=noise), 0)
@@ -103,13 +113,14 @@ def test_degrees_become_radians(offset, noise):
     assert one.sensors.heading == math.radians(noise)
 
 
-NUMBERS = [name for name in ConditionKeys.__struct_fields__ if name not in ("wind", "gust")]
+NUMBERS = [name for name in ConditionKeys.__struct_fields__ if name not in ("wind", "gust", "dryden")]
 PLACES = [
     *((f"conditions.{name}", lambda value, name=name: {name: value}) for name in NUMBERS),
     *((f"conditions.wind.{name}", lambda value, name=name: {"wind": {"speed": 3.0, name: value}})
       for name in ("speed", "from")),
     *((f"conditions.gust.{name}", lambda value, name=name: {"gust": {"speed": 3.0, name: value}})
       for name in ("speed", "from", "up", "start", "duration")),
+    *((f"conditions.dryden.{name}", lambda value, name=name: {"dryden": {name: value}}) for name in ("sigma", "length")),
 ]  # fmt: skip
 
 
