@@ -120,7 +120,8 @@ PLACES = [
       for name in ("speed", "from")),
     *((f"conditions.gust.{name}", lambda value, name=name: {"gust": {"speed": 3.0, name: value}})
       for name in ("speed", "from", "up", "start", "duration")),
-    *((f"conditions.dryden.{name}", lambda value, name=name: {"dryden": {name: value}}) for name in ("sigma", "length")),
+    *((f"conditions.dryden.{name}", lambda value, name=name: {"dryden": {name: value}})
+      for name in ("sigma", "length")),
 ]  # fmt: skip
 
 
