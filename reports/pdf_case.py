@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
+from reports.fleet_words import vehicle_words
 from reports.infeasible import steep_rows, tight_rows
 from reports.json_result import Json
 from reports.names import listed
@@ -23,7 +24,7 @@ def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
     about, notes = _common_source(outcome.notes)
     return {
         "name": outcome.name,
-        "vehicle": outcome.vehicle,
+        "vehicle": vehicle_words(outcome),
         "controller": outcome.controller,
         "conditions": list(conditions(outcome)),
         "corridor": text(outcome.corridor, "m"),
