@@ -37,10 +37,11 @@ class Box:
 class Layout:
     """Boxes for the map, the view of the worst point, the key, and the series in their order; the figure's height.
 
-    `key_columns` is how many columns the legend has; `lowest` tells which series have nothing below them.
+    There is no map where another figure has it. `key_columns` is how many columns the legend has; `lowest` tells which
+    series have nothing below them.
     """
 
-    map: Box
+    map: Box | None
     near: Box
     key: Box
     key_columns: int
@@ -79,11 +80,20 @@ def page_layout(aspect: float, count: int) -> Layout:
     return _wide(aspect, count, _BOTTOM, _ON_PAGE) if aspect > _WIDE else _low(aspect, count)
 
 
+def member_layout(count: int) -> Layout:
+    """Like `page_layout`, of a member of a fleet, whose own figure has the map."""
+    return _below(None, _CAPTION, count, _ON_PAGE)
+
+
 def _wide(aspect: float, count: int, top: float, sizes: _Sizes) -> Layout:
-    """The map over the full width; below it the near view, with the key under it, and the series beside."""
+    """The map over the full width, the rest below it."""
     lowest, highest = sizes.flat
     world = Box(LEFT, top, _FULL, min(highest, max(lowest, _FULL / aspect)))
-    below = world.bottom + _LABELS + _CAPTION
+    return _below(world, world.bottom + _LABELS + _CAPTION, count, sizes)
+
+
+def _below(world: Box | None, below: float, count: int, sizes: _Sizes) -> Layout:
+    """Under the map the near view, with the key under it, and the series beside."""
     near = Box(LEFT, below, max(sizes.near, 1.9), sizes.near)
     key = Box(0.2, near.bottom + _LABELS + 0.22, near.width + LEFT - 0.2, 1.0)
     left, step = LEFT + near.width + _GAP, sizes.flat_panel + sizes.between

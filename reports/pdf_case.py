@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 
-from reports.fleet_words import vehicle_words
+from reports.fleet_words import called, member_name, vehicle_words
 from reports.infeasible import steep_rows, tight_rows
 from reports.json_result import Json
 from reports.names import listed
 from reports.quantity import text
-from reports.rows import REQUIREMENTS, rows, unmeasured
+from reports.rows import REQUIREMENTS, Row, rows, unmeasured
 from reports.words import conditions, reason, setting
+from tracking.metric import Metric
 from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 
 _MOST_PLACES, _MOST_NOTES = 6, 6  # the worst ones and the first ones; the JSON result has all
 
 
-def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
-    """The case as the template `report.typ` reads it."""
+def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) -> dict[str, Json]:
+    """The case as the template `report.typ` reads it; `fleet_figure` is "" for a vehicle that is alone."""
     verdict, feasibility = outcome.verdict, outcome.feasibility
-    table: list[dict[str, Json]] = [{**asdict(row), "words": listed(row.name)} for row in rows(outcome)]
+    table: list[dict[str, Json]] = [_row(row) for row in rows(outcome)]
     about, notes = _common_source(outcome.notes)
     return {
         "name": outcome.name,
@@ -28,7 +30,7 @@ def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
         "controller": outcome.controller,
         "conditions": list(conditions(outcome)),
         "corridor": text(outcome.corridor, "m"),
-        "length": text(outcome.path.length, "m"),
+        "path": _paths(outcome),
         "seed": outcome.seed,
         "setting": setting(outcome),
         "trackworthy": verdict.trackworthy,
@@ -47,7 +49,54 @@ def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
         "unmeasured": list(unmeasured(outcome, listed)),
         "command": command,
         "figure": figure,
+        "fleet": fleet_figure,
+        "shown": member_name(outcome),
+        "members": [_member(outcome, number) for number in range(1, _count(outcome) + 1)],
     }
+
+
+def _count(outcome: Outcome) -> int:
+    return len(outcome.fleet.members) if outcome.fleet else 0
+
+
+def _paths(outcome: Outcome) -> str:
+    """ "path 12.3 km", or the lengths of all of a fleet: "paths 12.3 km, 8 km and 9.1 km"."""
+    if not outcome.fleet:
+        return f"path {text(outcome.path.length, 'm')}"
+    *first, last = (text(member.path.length, "m") for member in outcome.fleet.members)
+    return f"paths {', '.join(first)} and {last}"
+
+
+def _row(row: Row) -> dict[str, Json]:
+    """A row whose places say whose they are."""
+    places = {name: f"{place} of {row.who}" for name, place in (("at", row.at), ("when", row.when)) if place}
+    whose = places if row.who else {}
+    if row.who and not places:
+        whose = {"when": f"of {row.who}"}
+    return {**asdict(row), "words": listed(row.name), **whose}
+
+
+def _member(outcome: Outcome, number: int) -> dict[str, Json]:
+    """What a member of a fleet is alone, separations aside."""
+    fleet = outcome.fleet
+    assert fleet is not None
+    member = fleet.members[number - 1]
+    metrics = member.metrics
+    return {
+        "name": called(str(number), member.limits.kind),
+        "path": member.path.name,
+        "length": text(member.path.length, "m"),
+        "departure": text(fleet.departures[number - 1], "s"),
+        "trackworthy": member.verdict.trackworthy,
+        "p95": _told(metrics, "cross_track_p95"),
+        "largest": _told(metrics, "cross_track_max"),
+        "clearance": _told(metrics, "clearance_min"),
+        "why": reason(member),
+    }
+
+
+def _told(metrics: Mapping[str, Metric], name: str) -> str:
+    return text(metrics[name].value, metrics[name].unit) if name in metrics else ""
 
 
 def _common_source(notes: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
