@@ -12,11 +12,15 @@ from planners.aco.improved import AcoImproved
 from planners.aco.turn_aware import AcoTurnAware
 from planners.errors import InputError
 from planners.exact import Exact
+from planners.pio.vdp import Vdp, VdpPio
 from planners.planner import Plan, Planner
 from planners.scenario import Scenario
 from planners.typed_toml import convert, suggestion
+from planners.voronoi.vd import Vd
 
-ALL_PLANNERS: tuple[type[Planner], ...] = (Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware)
+ALL_PLANNERS: tuple[type[Planner], ...] = (
+    Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware, Vd, VdpPio, Vdp,
+)  # fmt: skip
 
 
 def make_planner(name: str, settings: dict[str, Any] | None = None) -> Planner:

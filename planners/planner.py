@@ -33,8 +33,8 @@ class History:
 
     `survivors` (I,) counts those, of `population`; `swarms` holds their ways.
 
-    Of swarms that search for a fleet, `best` and `mean` are summed over the aircraft, `best` is the best so far, and
-    `survivors` are the pigeons that keep to all limits. `evaluations` (I,) counts the paths given a cost by
+    Of swarms that search for a fleet, `best` and `mean` are summed over the aircraft, `best` is that of the cheapest so
+    far, and `survivors` are the pigeons that keep to all limits. `evaluations` (I,) counts the paths given a cost by
     then, and `cost` (I,) [m] is the least one so far, which also counts what breaks a limit; None for colonies.
     """
 

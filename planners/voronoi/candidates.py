@@ -114,4 +114,4 @@ def in_sight(points: Floats, free: Any, spacing: float) -> Floats:
         lines = np.stack([np.broadcast_to(dense[here], (len(there), 2)), dense[there]], axis=1)
         seen = there[lines_free(free, lines)]
         kept.append(int(seen[-1]) if len(seen) else here + 1)
-    return dense[kept]
+    return np.asarray(dense[kept])

@@ -42,7 +42,7 @@ def roadmap_in(area: Map, free: Any) -> Roadmap:
     """
     if shapely.is_empty(free):
         return Roadmap(np.empty((0, 2)), np.empty((0, 2), np.int64), np.empty(0, np.bool_))
-    box = tuple(map(float, shapely.bounds(free)))
+    box = box_of(free)
     points = sites_of(area, free, box)
     if not len(points):
         return Roadmap(np.empty((0, 2)), np.empty((0, 2), np.int64), np.empty(0, np.bool_))
@@ -58,6 +58,12 @@ def roadmap_in(area: Map, free: Any) -> Roadmap:
     vertices = np.clip(diagram.vertices[used], [x_min, y_min], [x_max, y_max])
     edges = flat.reshape(-1, 2)
     return Roadmap(vertices, edges, lines_free(free, vertices[edges]))
+
+
+def box_of(free: Any) -> tuple[float, float, float, float]:
+    """x_min, y_min, x_max, y_max around the `free` space."""
+    x_min, y_min, x_max, y_max = shapely.bounds(free).tolist()
+    return x_min, y_min, x_max, y_max
 
 
 def lines_free(free: Any, lines: Floats) -> Bools:

@@ -16,13 +16,17 @@ from sample_maps import FREE, GATE, ONE_CIRCLE, UNIT, WALLED, box, room, scenari
 
 NAMES = [planner.name for planner in ALL_PLANNERS]
 COLONIES = [name for name in NAMES if name.startswith("aco-")]
+ROADMAPS = [name for name in NAMES if name.startswith("vd")]
 FINDING = [name for name in NAMES if name != "aco-basic-printed"]
-SMALL = {"turn_radius": 5.0 * UNIT, "ants": 20, "iterations": 4, "max_range": 1000.0}
+SMALL = {"turn_radius": 5.0 * UNIT, "ants": 20, "iterations": 4, "max_range": 1000.0, "pigeons": 40}
+SMALL |= {"compass_iterations": 20, "landmark_iterations": 5}
 
 
 def small(name, **more):
     """The planner with a colony and a radius for small maps, as far as it has such settings."""
     known = {field.name for field in msgspec.structs.fields(next(one for one in ALL_PLANNERS if one.name == name))}
+    if "links" in known:
+        more = {"clearance": 20.0} | more
     return make_planner(name, {key: value for key, value in (SMALL | more).items() if key in known})
 
 
@@ -59,10 +63,21 @@ def test_where_a_wall_stands_between_there_is_no_path(name):
     assert plan.outcome == NO_PATH
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in ROADMAPS])
 @settings(max_examples=150)
 @given(found=scenarios, seed=st.integers(0, 1000))
 def test_no_path_collides_on_any_map(name, found, seed):
+    collides_nowhere(name, found, seed)
+
+
+@pytest.mark.parametrize("name", ROADMAPS)
+@settings(max_examples=20)
+@given(found=scenarios, seed=st.integers(0, 1000))
+def test_no_path_from_a_roadmap_collides_on_any_map(name, found, seed):
+    collides_nowhere(name, found, seed)
+
+
+def collides_nowhere(name, found, seed):
     planner = small(name)
     try:
         plan = plan_with(planner, found, seed)
@@ -75,7 +90,7 @@ def test_no_path_collides_on_any_map(name, found, seed):
 def test_a_seed_decides_the_path(name):
     one, two = (plan_with(small(name), ONE_CIRCLE, 7) for _ in range(2))
     assert one.paths[0].points.tobytes() == two.paths[0].points.tobytes()
-    if one.history is not None:
+    if one.history is not None and one.history.swarms:
         assert one.history.swarms[-1].points.tobytes() == two.history.swarms[-1].points.tobytes()
 
 
@@ -123,7 +138,14 @@ def test_histories_agree_with_themselves(name):
     history = plan_with(small(name), GATE, 2).history
     if history is None:
         return
-    assert len(history.swarms) == len(history.best) == len(history.mean) == len(history.survivors)
+    assert len(history.best) == len(history.mean) == len(history.survivors)
+    if name in ROADMAPS:
+        assert len(history.evaluations) == len(history.cost) == len(history.best)
+        assert (np.diff(history.evaluations) > 0).all()
+        assert (np.diff(history.cost) <= 0.0).all()
+        assert (history.survivors <= history.population).all()
+        return
+    assert len(history.swarms) == len(history.best)
     for swarm, best, survivors in zip(history.swarms, history.best, history.survivors, strict=True):
         assert len(swarm.alive) == len(swarm.first) - 1 == history.population
         assert swarm.alive.sum() == survivors
