@@ -84,7 +84,6 @@ def _member(outcome: Outcome, number: int) -> dict[str, Json]:
     metrics = member.metrics
     return {
         "name": called(str(number), member.limits.kind),
-        "path": member.path.name,
         "length": text(member.path.length, "m"),
         "departure": text(fleet.departures[number - 1], "s"),
         "trackworthy": member.verdict.trackworthy,

@@ -37,10 +37,7 @@ def draw_separation(axes: Axes, outcome: Outcome, fleet: Fleet, colours: Sequenc
     if fleet.required > 0.0:
         axes.axhspan(0.0, fleet.required, color=LIMIT, alpha=0.12, linewidth=0)
         axes.axhline(fleet.required, color=LIMIT, linewidth=0.9, linestyle=(0, (5, 2)))
-        axes.annotate(
-            f"≥ {text(fleet.required, 'm')}", (1.0, fleet.required), xycoords=axes.get_yaxis_transform(),
-            xytext=(-3.0, 2.0), textcoords="offset points", ha="right", va="bottom", fontsize=7.0, color=LIMIT,
-        )  # fmt: skip
+        _name_limit(axes, outcome, fleet)
     for column in shown:
         _draw_pair(axes, apart.t, apart.distances[:, column], *(colours[i] for i in apart.pairs[column]))
     _mark_closest(axes, outcome, fleet)
@@ -87,6 +84,17 @@ def _mark_closest(axes: Axes, outcome: Outcome, fleet: Fleet) -> None:
     axes.plot(
         nearest.t, nearest.value, "o", markersize=6.5, markerfacecolor=PAPER, markeredgecolor=MARK[missed],
         markeredgewidth=1.6, zorder=7, clip_on=False,
+    )  # fmt: skip
+
+
+def _name_limit(axes: Axes, outcome: Outcome, fleet: Fleet) -> None:
+    """On the side where the ring of the closest approach is not."""
+    right = not outcome.metrics["separation_min"].t > 0.5 * float(fleet.apart.t[-1])
+    aside = -3.0 if right else 16.0 if any(fleet.departures) else 3.0
+    axes.annotate(
+        f"≥ {text(fleet.required, 'm')}", (float(right), fleet.required), xycoords=axes.get_yaxis_transform(),
+        xytext=(aside, 2.0), textcoords="offset points", ha="right" if right else "left", va="bottom", fontsize=7.0,
+        color=LIMIT,
     )  # fmt: skip
 
 
