@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import cycle, islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,7 @@ from planners.errors import TrackworthyError
 from reports.decimate import envelope
 from reports.extent import whole_fleet
 from reports.fleet_layout import FleetLayout, fleet_layout, fleet_page_layout
-from reports.fleet_map import draw_fleet, fleet_entries
+from reports.fleet_map import draw_fleet, fleet_entries, member_colours
 from reports.fleet_words import called
 from reports.focus import focus
 from reports.header import draw_header, head_of, header_height
@@ -22,7 +21,7 @@ from reports.layout import LEFT, Box
 from reports.quantity import text
 from reports.separation_panel import draw_separation
 from reports.series_panel import mark_unreached
-from reports.style import CORRIDOR, MEMBERS, WIDTH, new_figure, place, save, style
+from reports.style import CORRIDOR, WIDTH, new_figure, place, save, style
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.wind_mark import draw_wind
 from tracking.outcome import Fleet, Outcome
@@ -67,11 +66,6 @@ def fleet_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figur
     return figure
 
 
-def member_colours(count: int) -> list[str]:
-    """A colour for each of `count` vehicles."""
-    return list(islice(cycle(MEMBERS), count))
-
-
 def _shown(fleet: Fleet) -> list[int]:
     """The members whose errors are shown, in their order."""
     largest = [float(np.nanmax(np.abs(member.track["cross_track"]), initial=0.0)) for member in fleet.members]
@@ -79,9 +73,7 @@ def _shown(fleet: Fleet) -> list[int]:
     return sorted(int(i) for i in order[:_MOST_ERRORS])
 
 
-def _draw_world(
-    figure: Figure, outcome: Outcome, fleet: Fleet, colours: Sequence[str], plan: FleetLayout
-) -> None:
+def _draw_world(figure: Figure, outcome: Outcome, fleet: Fleet, colours: Sequence[str], plan: FleetLayout) -> None:
     axes, marked = _axes(figure, plan.map), focus(outcome)
     view = whole_fleet(fleet.members).filled(plan.map.width / plan.map.height)
     draw_fleet(axes, outcome, fleet, colours, view, marked)

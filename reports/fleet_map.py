@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import cycle, islice
 from typing import TYPE_CHECKING
 
 import matplotlib.patheffects as effects
@@ -15,7 +16,7 @@ from reports.extent import Extent, flown
 from reports.focus import Focus
 from reports.legend import mark_look
 from reports.obstacle_panel import draw_obstacles
-from reports.style import DASHES, FENCE, FENCE_DASHES, GROUND_COLOUR, INK, MARK, MUTED, PAPER, Look
+from reports.style import DASHES, FENCE, FENCE_DASHES, GROUND_COLOUR, INK, MARK, MEMBERS, MUTED, PAPER, Look
 from tracking.outcome import Fleet, Outcome
 
 if TYPE_CHECKING:
@@ -28,7 +29,14 @@ _CLOSEST: Look = {
     "color": INK, "linewidth": 1.0, "marker": "o", "markersize": 6.0, "markerfacecolor": PAPER, "markeredgecolor": INK,
     "markeredgewidth": 1.2, "zorder": 7.5,
 }  # fmt: skip
+FREE_START: Look = mark_look("start", *_START, MUTED, INK)  # of no vehicle
+FREE_TARGET: Look = mark_look("target", *_TARGET, MUTED, INK)
 _ASIDE = 9.0  # [pt] from a start to its number
+
+
+def member_colours(count: int) -> list[str]:
+    """A colour for each of `count` vehicles."""
+    return list(islice(cycle(MEMBERS), count))
 
 
 def draw_fleet(
@@ -84,9 +92,9 @@ def fleet_entries(outcome: Outcome, fleet: Fleet, marked: Focus | None) -> list[
     looks: list[Look] = [
         {**_PLANNED, "label": "planned"},
         {**_FLOWN, "color": MUTED, "label": driven},
-        mark_look("start", *_START, MUTED, INK),
-        mark_look("target", *_TARGET, MUTED, INK),
     ]
+    entries = [Line2D([], [], **look) for look in looks] + end_entries()
+    looks = []
     if closest_places(outcome, fleet) is not None:
         looks.append({**_CLOSEST, "label": "closest approach"})
     if marked is not None:
@@ -95,4 +103,9 @@ def fleet_entries(outcome: Outcome, fleet: Fleet, marked: Focus | None) -> list[
     area = outcome.obstacles
     if area is not None and (area.keep_in or area.keep_in_circles):
         looks.append({"label": "fence", "color": FENCE, "linewidth": 1.4, "linestyle": FENCE_DASHES})
-    return [Line2D([], [], **look) for look in looks]
+    return entries + [Line2D([], [], **look) for look in looks]
+
+
+def end_entries() -> list[Line2D]:
+    """What diamonds and stars mean, for a legend."""
+    return [Line2D([], [], **look) for look in (FREE_START, FREE_TARGET)]

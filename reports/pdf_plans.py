@@ -11,7 +11,7 @@ from campaigns.summary import CaseResult
 from planners.scenario import Scenario
 from reports.json_result import Json
 from reports.plan_pictures import Picture, draw_plans
-from reports.plan_rows import labels, plan_row, yardsticks
+from reports.plan_rows import is_fleet, labels, limits, plan_row, yardsticks
 from reports.quantity import text
 from reports.slug import slug
 from tracking.outcome import Outcome
@@ -26,6 +26,7 @@ class Section:
     rows: list[Json]
     note: str
     pictures: list[Picture]
+    fleet: bool = False
 
 
 def plan_sections(
@@ -48,7 +49,7 @@ def plan_sections(
         rows: list[Json] = [plan_row(one, name) for name, one in named.items()]
         pictures = draw_plans(named, results, outcomes, folder / f"plans-{i + 1}-{slug(scenario.name)}")
         told = note if i == noted else ""
-        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures))
+        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
     return sections
 
 
@@ -59,6 +60,7 @@ def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
         "scenario": section.scenario,
         "about": section.about,
         "rows": section.rows,
+        "fleet": section.fleet,
         "note": section.note,
         "pictures": [{"file": file, "caption": picture.caption} for file, picture in pictures],
     }
@@ -69,4 +71,6 @@ def _about(scenario: Scenario, plans: Sequence[PlannedBy]) -> str:
     width, height = (side / scenario.unit for side in scenario.size)
     scale = f"{width:g} × {height:g} map units of {text(scenario.unit, 'm')}"
     exact = yardsticks(plans)
-    return f"{scale}; exact shortest path {exact}" if exact else scale
+    what = "sum" if is_fleet(scenario) else "path"
+    parts = [scale, f"exact shortest {what} {exact}" if exact else "", limits(scenario)]
+    return "; ".join(filter(None, parts))

@@ -51,8 +51,8 @@ def draw_separation(axes: Axes, outcome: Outcome, fleet: Fleet, colours: Sequenc
     axes.set_title(f"Separation [{unit}]")
     entries: list[tuple[Any, str]] = [_pair_entry(apart.pairs[column], colours) for column in shown]
     axes.legend(
-        [mark for mark, _ in entries], [label for _, label in entries], loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(entries), borderaxespad=0.15, handlelength=1.6,
-        columnspacing=0.9, handletextpad=0.5,
+        [mark for mark, _ in entries], [label for _, label in entries], loc="lower right", bbox_to_anchor=(1.0, 1.0),
+        ncols=len(entries), borderaxespad=0.15, handlelength=1.6, columnspacing=0.9, handletextpad=0.5,
     )  # fmt: skip
 
 
