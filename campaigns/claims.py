@@ -23,6 +23,7 @@ class Beside(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tr
     plan: str = ""
     ants: str = ""
     comparison: str = ""
+    roadmap: str = ""
 
 
 class Claim(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):

@@ -138,7 +138,7 @@ def _list_paths(figure: Figure, scenario: Scenario, plan: Plan, room: Box) -> fl
     for row, path in enumerate(plan.paths):
         start, goal = pair_of(scenario, path)
         sharp = float(np.abs(path.turns).max(initial=0.0))
-        told = f"{start + 1} to target {goal + 1}: {number(path.length / scenario.unit, 5)}, {_degrees(sharp)}"
+        told = f"{start + 1} to target {goal + 1}: {number(path.length / scenario.unit, 5)} units, {_degrees(sharp)}"
         line = 1.0 - (room.top + _PATH * (row + 0.4)) / height
         figure.add_artist(
             Line2D(

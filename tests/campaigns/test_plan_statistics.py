@@ -142,7 +142,7 @@ def test_a_scenario_without_a_way_is_told_so(tmp_path):
         (CLAIM.replace("turn = 0", "turn = 181"), "claim[0].turn: "),
         (CLAIM.replace("56.6", "-1"), "claim[0].length: "),
         (CLAIM.replace("[1, 1]", "[1]"), "claim[0].survivors: "),
-        (CLAIM.replace("plan =", "plot ="), "claim[0].beside: unknown key 'plot'; use plan, ants, comparison"),
+        (CLAIM.replace("plan =", "plot ="), "claim[0].beside: unknown key 'plot'; use plan, ants, comparison, roadmap"),
     ],
 )
 def test_a_wrong_claim_names_file_and_place(tmp_path, claim, told):
