@@ -17,7 +17,7 @@ from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
 from tracking.profile import error_profile
 from tracking.trial import Trial, run_trial
-from tracking.verdict import NOT_TRACKWORTHY
+from tracking.verdict import TRACKWORTHY
 
 INPUT, MACHINERY, DIED = "input", "machinery", "died"  # kinds of error; what died may live the next time
 
@@ -101,7 +101,7 @@ def without_path(reason: str, expect: str) -> Attempt:
     """What becomes of a trial whose planner found no path: nothing is flown, and none of the way completed."""
     return Attempt(
         0,
-        passed=expect == NOT_TRACKWORTHY,
+        passed=expect != TRACKWORTHY,
         score=-1.0,
         decided_by="completion",
         ended=reason,

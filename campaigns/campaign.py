@@ -19,7 +19,7 @@ from planners.errors import InputError
 from planners.typed_toml import convert, read_toml, suggestion
 
 CAMPAIGNS_FOLDER = Path(__file__).parent
-BUILT_IN_CAMPAIGNS = ("quickstart", "paper-aco")
+BUILT_IN_CAMPAIGNS = ("quickstart", "paper-aco", "paper-mars")
 
 KeepTracks = Literal["all", "failures", "worst", "none"]
 

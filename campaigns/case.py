@@ -23,13 +23,15 @@ class Case(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True
     Quantities are as users write them; what is left out is the vehicle's default. The case is trackworthy when at
     least `pass_share` of its trials are. A `planner`, one of ours by name with the settings in `set` or one of others,
     plans once for each `plan_seed`, and with `replan` once for each trial. A scenario with several starts gives a
-    fleet, whose `departures` are together, or separated by delays that keep it `separation` apart.
+    fleet, and so do the paths of `others` beside the first; its `departures` are together, or separated by delays that
+    keep it `separation` apart.
 
     `unit` are the metres a unit of the scenario's map stands for, in place of its own, and `planet` is where all of it
     happens: if it is left out, where the scenario lies, or else where the vehicle is at home.
     """
 
     path: str = ""
+    others: tuple[str, ...] = ()
     planner: str | OutsidePlanner | None = None
     set: dict[str, Any] = {}
     plan_seed: int = 0

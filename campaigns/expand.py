@@ -14,7 +14,7 @@ from campaigns.scale_search import ScaleSearch
 from planners.errors import InputError
 from planners.typed_toml import convert
 
-WHOLE_LISTS = ("require", "between")  # keys whose own value is a list
+WHOLE_LISTS = ("require", "between", "others")  # keys whose own value is a list
 TABLES = ("conditions", "set")  # keys whose values are lists to be multiplied out
 
 T = TypeVar("T", bound=Case | ScaleSearch)

@@ -21,12 +21,12 @@ from sim.vehicles import make_vehicle
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """`file` is None where a `planner` gives the path; `vehicle` is its name, or all that its file says.
+    """`files` of a path each, none where a `planner` gives them; `vehicle` is its name, or all that its file says.
 
     `planet` is None for the vehicle's own.
     """
 
-    file: PathFile | None
+    files: tuple[PathFile, ...]
     planner: Planner | OutsidePlanner | None
     scenario: Scenario | None
     vehicle: str | Aircraft
@@ -51,8 +51,12 @@ class Reader:
             raise InputError(case.name, "a planner needs a scenario", "add scenario = ...")
         if case.replan and case.planner is None:
             raise InputError("replan", "a path from a file is not planned", "name a planner, or leave replan out")
-        if case.path and case.path not in self._files:
-            self._files[case.path] = files.read(self.folder / case.path)
+        if case.others and not case.path:
+            raise InputError("others", "they are paths beside one", "give that as path = ...")
+        paths = (case.path, *case.others) if case.path else ()
+        for path in paths:
+            if path not in self._files:
+                self._files[path] = files.read(self.folder / path)
         scenario = self._scenario(case.scenario) if case.scenario else None
         if case.unit is not None:
             if scenario is None:
@@ -61,7 +65,8 @@ class Reader:
         planet = case.planet or (scenario.planet if scenario is not None else "")
         vehicle, limits = self._vehicle(case.vehicle, case.steering_hz, planet)
         where = planet_of(planet) if planet else None
-        return Inputs(self._files.get(case.path), _planner(case), scenario, vehicle, limits, where)
+        read = tuple(self._files[path] for path in paths)
+        return Inputs(read, _planner(case), scenario, vehicle, limits, where)
 
     def _scenario(self, name: str) -> Scenario:
         if name not in self._scenarios:

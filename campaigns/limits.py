@@ -48,6 +48,8 @@ DEFAULT_LIMITS = {
     "speed_error_max": Limit(0.05, 0.10),
     "frechet": Limit(0.005, 0.10),
     "range_used": Limit(0.001, 0.01),
+    "fuel_used": Limit(0.001, 0.02),
+    "fuel_range": Limit(100.0, 0.02),
     "turn_angle_max_planned": Limit(0.5, 0.05),
     "turn_angle_max_flown": Limit(0.5, 0.10),
     "turn_radius_min": Limit(0.1, 0.05),

@@ -4,34 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import reduce
 from pathlib import Path as FilePath
 from typing import Any
 
 import msgspec
-import numpy as np
 
 from campaigns.case import Case
-from campaigns.conditions import ConditionKeys, WindKeys, draw, known_wind
+from campaigns.conditions import ConditionKeys, WindKeys, draw
+from campaigns.fly_by import fly_by_corners
 from campaigns.inputs import Inputs
 from campaigns.limits import DEFAULT_LIMITS, NO_DIRECTION
 from planners.combine import merge, to_frame
-from planners.corners import Rounded, fly_by
 from planners.errors import InputError
-from planners.in_frame import in_frame_of, on_ellipsoid
+from planners.in_frame import in_frame_of, in_frame_with, on_ellipsoid
 from planners.map import Map
 from planners.outside import OutsidePlanner
 from planners.path import Path
+from planners.scenario import Scenario
 from planners.typed_toml import suggestion
 from planners.units import parse_speed, split_quantity
 from sim.vehicle import Limits
-from sim.wind import Wind
 from tracking.controllers import make_controller
-from tracking.feasibility import required_radius
 from tracking.requirements import split_requirement
 from tracking.trial import Trial
-
-FLY_BY_RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
-ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as points
 
 
 def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
@@ -54,20 +50,20 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
     Its conditions are those of a trial with seed 0. Raises `InputError` with the place of a fault.
     """
     case, remarks = settled(case, inputs)
-    notes, source = list(remarks), FilePath(case.path).name or case.name
-    if inputs.file is not None:
-        notes = [*(f"{source}: {note}" for note in inputs.file.notes), *notes]
-    given = (inputs.file.path,) if inputs.file is not None else planned
+    given = tuple(file.path for file in inputs.files) or planned
     if not given:
         raise InputError(case.name, "it has no path yet")
-    flown = []
-    for number, one in enumerate(given, start=1):
-        path, corners = _to_fly(one, case, inputs)
-        whose = f"vehicle {number}: " if len(given) > 1 else ""
-        notes += [f"{source}: {whose}{corner}" for corner in corners]
+    sources = [FilePath(name).name for name in (case.path, *case.others)]
+    if not inputs.files:
+        sources = [case.name] if len(given) == 1 else [f"{case.name}, {i + 1}" for i in range(len(given))]
+    notes = [f"{source}: {note}" for source, file in zip(sources, inputs.files, strict=False) for note in file.notes]
+    notes += remarks
+    flown: list[Path] = []
+    for source, one in zip(sources, given, strict=True):
+        path, corners = _to_fly(one, case, inputs, flown[0] if flown else None)
+        notes += [f"{source}: {corner}" for corner in corners]
         flown.append(path)
     path, *others = flown
-    fence = inputs.file.fence if inputs.file is not None else None
     trial = Trial(
         name=case.name,
         path=path,
@@ -77,7 +73,7 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
         speed=_number(case.speed),
         altitude=None if case.altitude is None else _number(case.altitude),
         corridor=_number(case.corridor),
-        obstacles=_obstacles(path, fence, inputs.scenario.map if inputs.scenario else None),
+        obstacles=_obstacles(path, [file.fence for file in inputs.files], inputs.scenario),
         max_range=inputs.scenario.max_range if inputs.scenario else None,
         steering_hz=case.steering_hz,
         require=case.require,
@@ -90,18 +86,19 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
     return seeded(trial, case.conditions, 0)
 
 
-def _to_fly(path: Path, case: Case, inputs: Inputs) -> tuple[Path, list[str]]:
-    """A path of the settled case as it is to be flown, and what became of its corners."""
+def _to_fly(path: Path, case: Case, inputs: Inputs, first: Path | None) -> tuple[Path, list[str]]:
+    """A path of the settled case as it is to be flown, in the frame of the `first`, and what became of its corners."""
     if inputs.scenario is not None:
         path = in_frame_of(inputs.scenario, path)
     if inputs.planet is not None:
         path = on_ellipsoid(path, inputs.planet.a, inputs.planet.b)
+    if first is not None:
+        path = in_frame_with(first, path)
     if case.altitude is not None and path.z is not None:
         path = replace(path, points=path.xy)
     if case.corners != "fly-by":
         return path, []
-    path, rounded = _rounded(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
-    return path, [_corner_note(corner) for corner in rounded]
+    return fly_by_corners(path, inputs.limits, _number(case.speed), case.conditions, _number(case.corridor))
 
 
 def check_metric_names(requirements: Sequence[str]) -> None:
@@ -137,7 +134,7 @@ def _speed(case: Case, inputs: Inputs) -> tuple[float, Sequence[str]]:
     limits = inputs.limits
     if case.speed is not None:
         return parse_speed(case.speed), ()
-    planned = inputs.file.speed if inputs.file is not None else None
+    planned = inputs.files[0].speed if inputs.files else None
     if planned is None:
         return limits.speed, ()
     name = FilePath(case.path).name
@@ -176,33 +173,10 @@ def _metres(text: str | float | None, place: str) -> float | None:
     return value * (1000.0 if unit == "km" else 1.0)
 
 
-def _rounded(
-    path: Path, limits: Limits, speed: float, conditions: ConditionKeys, corridor: float
-) -> tuple[Path, tuple[Rounded, ...]]:
-    """Corners as wide as the wind asks for that is known beforehand; where it is drawn, as in calm air."""
-    wind = known_wind(conditions) or Wind()
-
-    def radius(course: float, angle: float) -> float:
-        required = FLY_BY_RESERVE * required_radius(limits, speed, wind, course, angle)
-        if not np.isfinite(required):
-            raise InputError("wind", f"{wind.speed:.4g} m/s of wind cannot be held at {speed:.4g} m/s")
-        return required
-
-    return fly_by(path, radius, ARC_DEVIATION * corridor)
-
-
-def _corner_note(corner: Rounded) -> str:
-    where = f"corner at {corner.s / 1000:.2f} km, {abs(np.degrees(corner.angle)):.0f} deg"
-    if corner.radius == 0.0:
-        return f"{where}: left as drawn, too sharp to fly by"
-    short = f" (wanted {corner.wanted:.0f} m, the legs leave no more)" if corner.radius < 0.999 * corner.wanted else ""
-    return f"{where}: rounded with a radius of {corner.radius:.0f} m{short}, cut by {corner.cut:.1f} m"
-
-
-def _obstacles(path: Path, fence: Map | None, scenario: Map | None) -> Map | None:
-    """The mission's fence and the scenario's map as one, in the path's frame."""
-    if fence is not None and path.frame is not None:
-        fence = to_frame(fence, path.frame)
-    if scenario is None or fence is None:
-        return fence if scenario is None else scenario
-    return merge(scenario, fence)
+def _obstacles(path: Path, fences: Sequence[Map | None], scenario: Scenario | None) -> Map | None:
+    """The missions' fences and the scenario's map as one, in the path's frame."""
+    maps = [scenario.map] if scenario is not None else []
+    for fence in fences:
+        if fence is not None:
+            maps.append(fence if path.frame is None else to_frame(fence, path.frame))
+    return reduce(merge, maps) if maps else None

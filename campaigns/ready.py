@@ -98,6 +98,7 @@ def _deciding(case: Case) -> Case:
     return msgspec.structs.replace(
         case,
         path=Path(case.path).name,
+        others=tuple(Path(path).name for path in case.others),
         scenario=case.scenario and Path(case.scenario).name,
         vehicle=Path(case.vehicle).name,
         planner=case.planner.deciding if isinstance(case.planner, OutsidePlanner) else case.planner,
@@ -113,7 +114,10 @@ def seeds_of(campaign: Campaign, case: Case) -> list[int]:
 
 def contents_of(folder: Path, case: Case, inputs: Inputs) -> list[str]:
     """Hashes of what was read for the case, besides its vehicle."""
-    files = [*([folder / case.path] if case.path else []), *(inputs.scenario.files if inputs.scenario else ())]
+    files = [
+        *(folder / path for path in (case.path, *case.others) if path),
+        *(inputs.scenario.files if inputs.scenario else ()),
+    ]
     return [file_digest(file) for file in files]
 
 

@@ -38,7 +38,8 @@ def write_resolved(
     for ready in cases:
         case = _copied(ready.case, ready.inputs, campaign.folder, copies)
         if case.path:
-            case = msgspec.structs.replace(case, path=copies.file(campaign.folder / case.path))
+            others = tuple(copies.file(campaign.folder / path) for path in case.others)
+            case = msgspec.structs.replace(case, path=copies.file(campaign.folder / case.path), others=others)
         if isinstance(case.planner, OutsidePlanner):
             case = msgspec.structs.replace(case, planner=_in_place(case.planner, campaign.folder))
         written.append(_table(case))
@@ -67,7 +68,7 @@ def _table(case: Case) -> dict[str, Any]:
     table: dict[str, Any] = _without_none(msgspec.to_builtins(case))
     if not isinstance(case.planner, str):
         table.pop("set")
-    for key in ("plan_seed", "replan") if case.path else ("path",):
+    for key in ("plan_seed", "replan") if case.path else ("path", "others"):
         table.pop(key)
     return table
 

@@ -65,5 +65,5 @@ def _ready(campaign: Campaign, reader: Reader, search: ScaleSearch) -> ReadySear
     search = msgspec.structs.replace(search, set=case.set, speed=case.speed, corridor=case.corridor)
     plans, flies = plan_seed(campaign.seed, case), trial_seed(campaign.seed, case, 1)
     decides = digest_of(case, inputs, contents_of(campaign.folder, case, inputs))
-    key = digest("scale", decides, search.between, search.tolerance, plans, flies)[:16]
+    key = digest("scale", decides, search.between, search.tolerance, search.replan, plans, flies)[:16]
     return ReadySearch(search, case, inputs, inputs.scenario, inputs.planner, plans, flies, key)

@@ -14,7 +14,9 @@ class ScaleSearch(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     """How small a map may be, in metres a map unit, for the plan on it to be trackworthy; looked for `between` two.
 
     The found scale is at most `tolerance` times itself above one that is not. What is planned and how it is flown is as
-    in a case, in conditions without chance. With `expect_at_most` [m a map unit] the answer passes or fails.
+    in a case, in conditions without chance. With `replan` it is planned anew at each scale, with the settings as they
+    are; without, once at the map's own, and that route drawn smaller or larger. With `expect_at_most` [m a map unit]
+    the answer passes or fails.
     """
 
     name: str = ""
@@ -22,6 +24,7 @@ class ScaleSearch(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     planner: str
     set: dict[str, Any] = {}
     plan_seed: int = 0
+    replan: bool = True
     vehicle: str
     controller: str = "lqr"
     speed: str | float | None = None

@@ -14,6 +14,7 @@ from campaigns.scale_ready import ReadySearch
 from planners.all_planners import plan_with
 from planners.errors import InputError
 from planners.path import Path
+from planners.planner import Plan
 from planners.scenario import scaled
 from tracking.outcome import Outcome
 from tracking.trial import run_trial
@@ -52,15 +53,16 @@ class Scale(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def find(ready: ReadySearch) -> Scale:
-    """Search by bisection, planning anew at each scale; what goes wrong is the result."""
+    """Search by bisection; what goes wrong is the result."""
     steps: dict[float, Step] = {}
-
-    def trackworthy(unit: float) -> bool:
-        steps[unit] = _step(ready, unit)
-        return steps[unit].trackworthy
-
     low, high = ready.search.between
     try:
+        route = None if ready.search.replan else plan_with(ready.planner, ready.scenario, ready.plan_seed)
+
+        def trackworthy(unit: float) -> bool:
+            steps[unit] = _step(ready, unit, route)
+            return steps[unit].trackworthy
+
         unit, below = smallest(trackworthy, low, high, ready.search.tolerance)
     except Exception as error:  # also a fault of ours, or of a library: it costs this search
         wrong = failed(error)
@@ -90,14 +92,18 @@ def smallest(
     return high, low
 
 
-def _step(ready: ReadySearch, unit: float) -> Step:
-    """Plan and fly at that scale; a scenario that cannot be planned on or flown there is not trackworthy."""
+def _step(ready: ReadySearch, unit: float, route: Plan | None) -> Step:
+    """Fly at that scale, along the `route` drawn to it or what is planned anew; a scenario that cannot be planned on or
+    flown there is not trackworthy.
+    """
     scenario = scaled(ready.scenario, unit)
+    factor = 1.0 if route is None else unit / ready.scenario.unit
     try:
-        plan = plan_with(ready.planner, scenario, ready.plan_seed)
+        plan = plan_with(ready.planner, scenario, ready.plan_seed) if route is None else route
         if not plan.paths:
             return Step(unit=unit, trackworthy=False, reason=f"{plan.outcome}: {plan.reason}")
-        paths = tuple(Path(path.points, name=scenario.name, frame=scenario.map.frame) for path in plan.paths)
+        frame = scenario.map.frame
+        paths = tuple(Path(factor * path.points, name=scenario.name, frame=frame) for path in plan.paths)
         trial = assemble(ready.case, replace(ready.inputs, scenario=scenario), paths)
         outcome = run_trial(seeded(trial, ready.case.conditions, ready.seed))
     except InputError as error:

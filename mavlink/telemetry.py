@@ -10,7 +10,7 @@ import numpy as np
 
 from planners.frame import Frame
 from planners.kernel import Floats, Ints
-from planners.units import STANDARD_GRAVITY, wrap
+from planners.units import wrap
 from tracking.outcome import Outcome
 from tracking.track import Track
 
@@ -109,7 +109,7 @@ def _roll_wanted(outcome: Outcome, column: dict[str, Floats]) -> Floats:
     if outcome.limits.kind != "fixed-wing":
         return np.zeros(len(column["t"]))
     wanted: Floats = -np.degrees(
-        np.arctan(column["ground_speed"] ** 2 * column["curvature_command"] / STANDARD_GRAVITY)
+        np.arctan(column["ground_speed"] ** 2 * column["curvature_command"] / outcome.limits.gravity)
     )
     return wanted
 

@@ -27,6 +27,16 @@ def in_frame_of(scenario: Scenario, path: Path) -> Path:
     return _moved(path, path.frame, frame)
 
 
+def in_frame_with(first: Path, path: Path) -> Path:
+    """`path` in the frame of the `first`; raises `InputError` where only one of them has a place on the planet."""
+    if path.frame == first.frame:
+        return path
+    if path.frame is None or first.frame is None:
+        what = f"only one of {first.name} and {path.name} has a place on the planet"
+        raise InputError("paths of a fleet", what, "give all in metres, or all in degrees")
+    return _moved(path, path.frame, first.frame)
+
+
 def on_ellipsoid(path: Path, a: float, b: float) -> Path:
     """`path` at the same latitudes and longitudes of the ellipsoid with semi-axes `a`, `b` [m].
 

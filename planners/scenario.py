@@ -17,6 +17,7 @@ from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
 from planners.typed_toml import read_toml, suggestion
 
 BUILT_IN_SCENARIOS = (
+    "mars-gap",
     "mars-hazards-15",
     "mars-hazards-25",
     "nofly-1000x660",

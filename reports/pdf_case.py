@@ -14,7 +14,7 @@ from reports.rows import REQUIREMENTS, Row, rows, unmeasured
 from reports.words import conditions, reason, setting
 from tracking.metric import Metric
 from tracking.outcome import Outcome
-from tracking.verdict import TRACKWORTHY
+from tracking.verdict import NOT_TRACKWORTHY
 
 _MOST_PLACES, _MOST_NOTES = 6, 6  # the worst ones and the first ones; the JSON result has all
 
@@ -35,7 +35,7 @@ def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) ->
         "setting": setting(outcome),
         "trackworthy": verdict.trackworthy,
         "passed": verdict.passed,
-        "expected": verdict.expect == TRACKWORTHY,
+        "expected": verdict.expect != NOT_TRACKWORTHY,
         "reason": reason(outcome),
         "requirements": [row for row in table if row["group"] == REQUIREMENTS],
         "metrics": [row for row in table if row["group"] != REQUIREMENTS],

@@ -11,7 +11,7 @@ from sim.wind import Wind
 from tracking.feasibility import Slope, Stretch
 from tracking.metric import Margin
 from tracking.outcome import Outcome
-from tracking.verdict import TRACKWORTHY
+from tracking.verdict import NOT_TRACKWORTHY
 
 _KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
@@ -28,7 +28,7 @@ def sentence(outcome: Outcome) -> str:
 def verdict_words(outcome: Outcome) -> str:
     """TRACKWORTHY or NOT TRACKWORTHY, and what was expected where that is not to be taken for granted."""
     word = "TRACKWORTHY" if outcome.verdict.trackworthy else "NOT TRACKWORTHY"
-    if outcome.verdict.expect == TRACKWORTHY:
+    if outcome.verdict.expect != NOT_TRACKWORTHY:
         return word
     return f"{word} (as expected)" if outcome.verdict.passed else f"{word} (expected not to be)"
 

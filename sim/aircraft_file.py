@@ -23,7 +23,10 @@ Bank = Annotated[float, msgspec.Meta(gt=0.0, lt=90.0)]  # [deg]
 
 
 class Envelope(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What the aircraft can do: speeds [m/s true], angles [deg], gradients [1], `corridor` half-width [m]."""
+    """What the aircraft can do: speeds [m/s true], angles [deg], gradients [1], `corridor` half-width [m].
+
+    `altitude` [m] is where it flies when none is given.
+    """
 
     speed: Positive
     speed_min: Positive
@@ -34,6 +37,7 @@ class Envelope(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     climb_gradient: Positive
     descent_gradient: Positive
     corridor: Positive
+    altitude: Positive = 1000.0
 
 
 class Roll(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -47,10 +51,14 @@ class Roll(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Yaw(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Turn coordination: rudder per rad/s of yaw rate and per g s of lateral acceleration."""
+    """Turn coordination: rudder per rad/s of yaw rate and per g s of lateral acceleration, and per aileron.
+
+    The last is what adverse yaw of the ailerons takes, as aircraft with weak directional stability need it.
+    """
 
     rudder: float
     rudder_integral: float
+    rudder_from_aileron: float = 0.0
 
 
 class Pitch(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -165,6 +173,8 @@ class Aircraft(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
             climb_gradient=envelope.climb_gradient,
             descent_gradient=envelope.descent_gradient,
             separation=self.operation.separation_min,
+            altitude=envelope.altitude,
+            gravity=planet.gravity,
         )
 
 

@@ -27,6 +27,7 @@ class Autopilot:
             "roll-integral": roll.aileron_integral,
             "yaw-rate-gain": yaw.rudder,
             "yaw-integral": yaw.rudder_integral,
+            "yaw-from-aileron": yaw.rudder_from_aileron,
             "pitch-gain": pitch.elevator,
             "pitch-rate-gain": pitch.elevator_rate,
             "pitch-integral": pitch.elevator_integral,

@@ -30,7 +30,10 @@ NORTH_EVERY = 20  # control periods in which true north does not turn in the fra
 
 
 class FixedWing:
-    """An aircraft of an `Aircraft` file under its autopilot."""
+    """An aircraft of an `Aircraft` file under its autopilot, on `planet` (None: at home).
+
+    `load_factor` is in weights on that planet, `fuel` what is left in the tanks [kg].
+    """
 
     period = guidance_period = STEPS * STEP
     channels: tuple[str, ...] = (

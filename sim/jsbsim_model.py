@@ -68,9 +68,7 @@ def load_model(aircraft: Aircraft, dt: float, planet: Planet | None = None) -> j
 
 @lru_cache
 def _with_attitude_hold(file: Path, replaced: tuple[str, ...], outputs: tuple[str, ...], planet: Planet) -> Path:
-    """An aircraft folder, for this process, whose aircraft, that of `file`, has our attitude loops and our ballast.
-
-    And the Mach number of `planet`.
+    """An aircraft folder, for this process, whose aircraft, that of `file`, has our loops, ballast and Mach number.
 
     The systems `replaced`, the model's own autopilot, are left out; `outputs` are the properties that the flight
     controls read from them, which stay 0 as they are when it is switched off.
@@ -140,7 +138,7 @@ def start_in_equilibrium(
 
 
 def release_level(fdm: jsbsim.FGFDMExec, pose: Pose, lat: float, lon: float, airspeed: float, wind: Wind) -> None:
-    """Let go of an aircraft that has no equilibrium: level on the course of `pose` at `airspeed` [m/s], full throttle."""
+    """Let go of what has no equilibrium: level on the course of `pose` at `airspeed` [m/s], throttle full."""
     heading = heading_for_course(airspeed, pose.course, wind)
     with listening():
         _initialise(fdm, pose.z, lat, lon, airspeed, heading, wind)

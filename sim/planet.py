@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from planners.errors import InputError
 from planners.frame import MARS_A, MARS_B, WGS84_A, WGS84_B, Frame
 from planners.typed_toml import suggestion
-from planners.units import STANDARD_GRAVITY
+from planners.units import METRES_PER_FOOT, STANDARD_GRAVITY
 from sim.wind import Dryden
+
+PASCALS_PER_PSF = 47.880259  # pound-force per square foot
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,9 +97,13 @@ def _earth_air(height: float) -> tuple[float, float]:
 
 
 def _mars_air(height: float) -> tuple[float, float]:
-    """NASA Glenn Research Center, "Mars Atmosphere Model - Metric Units": fits to Mars Global Surveyor, April 1996."""
-    celsius = -31.0 - 0.000998 * height if height < 7000.0 else -23.4 - 0.00222 * height
-    return 273.15 + celsius, 699.0 * math.exp(-0.00009 * height)
+    """NASA Glenn Research Center, "Mars Atmosphere Model - Imperial Units": fits to Mars Global Surveyor, April 1996.
+
+    As in JSBSim; the model's metric form is rounded otherwise, and 2 % apart at 2500 m.
+    """
+    feet = height / METRES_PER_FOOT
+    fahrenheit = -25.68 - 0.000548 * feet if feet < 22960.0 else -10.34 - 0.001217 * feet
+    return (fahrenheit + 459.67) / 1.8, 14.62 * PASCALS_PER_PSF * math.exp(-0.00003 * feet)
 
 
 EARTH = Planet(
@@ -121,7 +127,7 @@ MARS = Planet(
     gas_constant=188.92,  # of pure CO2
     vibrations=((2, 960.2), (1, 1917.9), (1, 3379.7)),  # 667, 1333 and 2349 /cm: Shimanouchi 1972, NSRDS-NBS 39
     air=_mars_air,
-    # Viking 1 between 1.5 and 3.5 km: about 3 m/s (Seiff 1993, JGR 98 E4, 7461); the length is that of MIL-F-8785C, 1750 ft
+    # Viking 1 between 1.5 and 3.5 km: about 3 m/s (Seiff 1993, JGR 98 E4, 7461); length: 1750 ft of MIL-F-8785C
     daytime=Dryden(sigma=3.0, length=533.4),
 )
 ALL_PLANETS = (EARTH, MARS)

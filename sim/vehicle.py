@@ -10,6 +10,7 @@ import msgspec
 
 from planners.footprint import Footprint
 from planners.frame import Frame
+from planners.units import STANDARD_GRAVITY
 from sim.wind import Dryden, Gust, Wind
 
 NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
@@ -68,8 +69,8 @@ class Conditions:
 
     Without a `frame`, the origin is at latitude 0, longitude 0. `turbulence` is the severity of Dryden turbulence on
     Earth as the number of MIL-F-8785C's probability-of-exceedance curve (3 light, 4 moderate, 6 severe), 0 for none;
-    `dryden` is turbulence by its strength and length, on any planet. `mass_factor` multiplies an aircraft's mass, `friction` is the tyres'
-    coefficient on this road, None the vehicle's own.
+    `dryden` is turbulence by its strength and length, on any planet. `mass_factor` multiplies an aircraft's mass,
+    `friction` is the tyres' coefficient on this road, None the vehicle's own.
     """
 
     wind: Wind = field(default_factory=Wind)
@@ -100,8 +101,8 @@ class Limits:
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
     commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
     `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
-    `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest horizontal
-    distance wanted to another vehicle.
+    `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest distance
+    wanted to another vehicle. `altitude` [m] is the default, `gravity` [m/s^2] that of where the vehicle is.
     """
 
     kind: str
@@ -118,6 +119,8 @@ class Limits:
     climb_gradient: float = 0.0
     descent_gradient: float = 0.0
     separation: float = 0.0
+    altitude: float = 0.0
+    gravity: float = STANDARD_GRAVITY
 
     def turn_radius(self, ground_speed: float, crab: float = 0.0) -> float:
         """Smallest turn radius [m] at `ground_speed` [m/s] with `crab` [rad] between heading and course.

@@ -20,7 +20,8 @@ def make_vehicle(
 ) -> Vehicle:
     """The vehicle of that name, the aircraft of that TOML file, or the aircraft given; `InputError` for an unknown one.
 
-    `steering_hz` [Hz] is how often guidance may steer a truck; `planet` where to be, None at home. Simulators are imported here, when they are needed.
+    `steering_hz` [Hz] is how often guidance may steer a truck; `planet` is where to be, None at home. Simulators are
+    imported here, when they are needed.
     """
     if vehicle == "truck":
         if planet not in (None, EARTH):

@@ -29,7 +29,6 @@ from tracking.sensors import PERFECT, Sensors
 from tracking.verdict import TRACKWORTHY, judge
 
 LONGEST_TIME = 24 * 3600.0  # [s] beyond any tank, and a million samples in memory
-DEFAULT_ALTITUDE = 1000.0  # [m] of aircraft, where neither the path nor the user gives one
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +46,6 @@ class Trial:
     name: str
     path: Path
     vehicle: str | Aircraft
-    planet: Planet | None = None
     controller: str = "lqr"
     speed: float | None = None
     altitude: float | None = None
@@ -62,6 +60,7 @@ class Trial:
     expect: str = TRACKWORTHY
     seed: int = 0
     notes: tuple[str, ...] = ()
+    planet: Planet | None = None
     others: tuple[Path, ...] = ()
     departures: Departures = "together"
     separation: float | None = None
@@ -84,8 +83,7 @@ def _run_alone(trial: Trial) -> Outcome:
     vehicle = make_vehicle(trial.vehicle, trial.steering_hz, trial.planet)
     limits = vehicle.limits
     speed = limits.speed if trial.speed is None else trial.speed
-    own_altitude = 0.0 if limits.kind == "ground" else DEFAULT_ALTITUDE
-    altitude = own_altitude if trial.altitude is None else trial.altitude
+    altitude = limits.altitude if trial.altitude is None else trial.altitude
     corridor = limits.corridor if trial.corridor is None else trial.corridor
     if not (corridor > 0.0 and math.isfinite(corridor)):
         raise InputError("corridor", f"{corridor:g} m is not a half-width", "choose one above 0")

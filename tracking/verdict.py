@@ -10,9 +10,10 @@ from typing import Literal
 
 from tracking.metric import Margin, Metric, Requirement
 
-Expectation = Literal["trackworthy", "not-trackworthy"]
+Expectation = Literal["trackworthy", "not-trackworthy", "either"]
 TRACKWORTHY: Expectation = "trackworthy"
 NOT_TRACKWORTHY: Expectation = "not-trackworthy"
+EITHER: Expectation = "either"  # what is measured to be compared
 RELATIVE = attrgetter("relative")
 
 
@@ -31,7 +32,7 @@ class Verdict:
     @property
     def passed(self) -> bool:
         """Whether the outcome is the expected one."""
-        return self.trackworthy == (self.expect == TRACKWORTHY)
+        return self.expect == EITHER or self.trackworthy == (self.expect == TRACKWORTHY)
 
     @property
     def decisive(self) -> Margin | None:

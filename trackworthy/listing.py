@@ -13,9 +13,7 @@ def add_parser(commands: Any) -> None:
     """Declare the command's arguments."""
     parser = commands.add_parser("list", help="list planners, vehicles, controllers, scenarios and more")
     parser.set_defaults(main=main)
-    parser.add_argument(
-        "what", nargs="?", choices=tuple(_LISTS), help="left out: everything but metrics and planner-settings"
-    )
+    parser.add_argument("what", nargs="?", choices=tuple(_LISTS), help=f"left out: everything but {', '.join(_LONG)}")
 
 
 def main(args: argparse.Namespace) -> int:
@@ -52,9 +50,13 @@ def _planner_settings() -> list[str]:
 
 
 def _about(key: str, planner: type) -> str:
-    """What the docstring of the class that has a setting says of it: in a line "key: ...", or a sentence with `key`."""
-    owner = next(kind for kind in planner.__mro__ if key in inspect.get_annotations(kind))
-    parts = re.split(r"\n\s*(?=[a-z_, ]+: )|(?<=\.)\s+(?=[A-Z`])|\n\s*\n", owner.__doc__ or "")
+    """What the docstring of the class that has a setting says of it: in a line "key: ...", or a sentence with `key`.
+
+    A class that only gives it another default leaves that to those it comes from.
+    """
+    owners = [kind.__doc__ or "" for kind in planner.__mro__ if key in inspect.get_annotations(kind)]
+    split = r"\n\s*(?=[a-z_, ]+: )|(?<=\.)\s+(?=[A-Z`])|\n\s*\n"
+    parts = [part for told in owners for part in re.split(split, told)]
     lines = [told for keys, _, told in (part.partition(": ") for part in parts) if key in keys.split(", ")]
     sentences = [part for part in parts if f"`{key}`" in part]
     return " ".join(" ".join([*lines, *sentences][:1]).split())
@@ -68,6 +70,34 @@ def _vehicles() -> list[str]:
         limits = make_vehicle(name).limits
         speeds = f"{limits.speed_min:g} to {limits.speed_max:g} m/s, {limits.speed:g} by default"
         lines.append(f"{name:<14}{limits.kind}, {speeds}; corridor {limits.corridor:g} m")
+    return lines
+
+
+def _planets() -> list[str]:
+    from sim.planet import ALL_PLANETS
+
+    lines = []
+    for planet in ALL_PLANETS:
+        temperature, _ = planet.air(0.0)
+        air = f"{planet.density(0.0):.4g} kg/m³, sound at {planet.speed_of_sound(temperature):.0f} m/s"
+        lines.append(f"{planet.name:<14}{planet.gravity:.4g} m/s²; air of {air}")
+    return lines
+
+
+def _modes() -> list[str]:
+    """The natural modes of every aircraft at home, at its speed and altitude: no loop closed."""
+    from sim.aircraft_file import ALL_AIRCRAFT, load_aircraft
+    from sim.modes import modes_of
+
+    lines = []
+    for name in ALL_AIRCRAFT:
+        aircraft = load_aircraft(name)
+        speed, altitude = aircraft.envelope.speed, aircraft.envelope.altitude
+        lines.append(f"{name}, {speed:g} m/s at {altitude:g} m")
+        for mode in modes_of(aircraft, aircraft.home, speed, altitude):
+            halves = f"{'halves' if mode.decay > 0.0 else 'doubles'} in {abs(mode.half_time):.3g} s"
+            swings = f"damping {mode.damping:.3g} at {mode.frequency:.3g} rad/s, " if abs(mode.damping) < 1.0 else ""
+            lines.append(f"  {mode.name:<14}{swings}{halves}")
     return lines
 
 
@@ -133,10 +163,12 @@ _LISTS: dict[str, Callable[[], list[str]]] = {
     "planners": _planners,
     "planner-settings": _planner_settings,
     "vehicles": _vehicles,
+    "planets": _planets,
+    "modes": _modes,
     "controllers": _controllers,
     "scenarios": _scenarios,
     "campaigns": _campaigns,
     "formats": _formats,
     "metrics": _metrics,
 }
-_LONG = ("metrics", "planner-settings")
+_LONG = ("metrics", "planner-settings", "modes")

@@ -1,4 +1,4 @@
-"""`trackworthy plan`: one planner on one scenario, and what its path is like."""
+"""`trackworthy plan`: one planner on one scenario, and what its path is like, or its paths."""
 
 from __future__ import annotations
 
@@ -26,7 +26,12 @@ def add_parser(commands: Any) -> None:
         metavar="KEY=VALUE",
         help="a setting, from: trackworthy list planner-settings; the value as in TOML; repeatable",
     )
-    add("-o", "--output", metavar="FILE", help="where to save the path: .csv .geojson .waypoints .plan")
+    add(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="where to save the path: .csv .geojson .waypoints .plan; a fleet's are numbered",
+    )
     add("--picture", metavar="FILE.png", help="where to save a picture of it")
     add("--json", action="store_true", help="print one JSON object on standard output and nothing else")
 
@@ -48,14 +53,14 @@ def main(args: argparse.Namespace) -> int:
         _check_output(args.output, scenario)
     if args.picture:
         check_picture(args.picture)
-    saved = [file for file in (args.output, args.picture) if file]
-    for file in saved:
+    for file in filter(None, (args.output, args.picture)):
         protect(file, *map(str, scenario.files))
     plan = plan_with(planner, scenario, args.seed)
     tell(plan.notes)
     facts = facts_of(plan, planner, scenario, args.seed)
-    if args.output and plan.paths:
-        files.write(plan.paths[0], args.output)
+    paths = _numbered(args.output, len(plan.paths)) if args.output else []
+    for path, file in zip(plan.paths, paths, strict=bool(args.output)):
+        files.write(path, file)
     if args.picture:
         from reports.plan_figure import save_plan_figure
 
@@ -68,8 +73,18 @@ def main(args: argparse.Namespace) -> int:
         from reports.plan_table import print_facts
 
         print_facts(facts)
-    tell(f"saved {file}" for file in saved if plan.paths or file != args.output)
+    tell(f"saved {file}" for file in (*paths, *filter(None, [args.picture])))
     return 0 if plan.paths else 1
+
+
+def _numbered(file: str, count: int) -> list[str]:
+    """The files of as many paths; those of a fleet are numbered before the suffix."""
+    from pathlib import Path
+
+    if count <= 1:
+        return [file] * count
+    name = Path(file)
+    return [str(name.with_stem(f"{name.stem}-{number}")) for number in range(1, count + 1)]
 
 
 def _settings(pairs: list[str]) -> dict[str, Any]:

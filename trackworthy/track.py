@@ -1,4 +1,4 @@
-"""`trackworthy track`: one path, one vehicle, one verdict."""
+"""`trackworthy track`: one path and one vehicle, or a fleet with a path each, and one verdict."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from campaigns.case import Case
+    from tracking.outcome import Outcome
 
 
 def add_parser(commands: Any) -> None:
@@ -17,8 +18,14 @@ def add_parser(commands: Any) -> None:
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
-    add("path", metavar="PATH", help="path or mission file: .csv, .geojson, .waypoints, .plan")
-    add("--vehicle", required=True, help="c172x, truck, or an aircraft's TOML file")
+    add(
+        "path",
+        nargs="+",
+        metavar="PATH",
+        help="path or mission file: .csv, .geojson, .waypoints, .plan; several are a fleet, one vehicle each",
+    )
+    add("--vehicle", required=True, help="c172x, ares, truck, or an aircraft's TOML file")
+    add("--planet", help="earth or mars (default: the scenario's, or else the vehicle's own)")
     add("--controller", default="lqr", help="pure-pursuit, l1, stanley, vector-field or lqr (default)")
     add("--speed", help="55, 55m/s, 30km/h or 100kt: airspeed of aircraft, ground speed of others")
     add("--altitude", help="metres; in place of the path's own heights")
@@ -27,8 +34,10 @@ def add_parser(commands: Any) -> None:
     add("--scenario", help="map with obstacles: a built-in name or a TOML file")
     add("--corners", choices=("as-drawn", "fly-by"), default="as-drawn", help="fly-by rounds a mission's corners")
     add("--steering-hz", type=float, default=20.0, help="how often a truck may steer (paper 004: 2)")
+    add("--departures", choices=("together", "separated"), default="together", help="of a fleet; separated by delays")
+    add("--separation", help="metres that a fleet's vehicles must stay apart (default: the vehicle's own)")
     add("--require", action="append", default=[], metavar="LIMIT", help="e.g. 'cross_track_p95<=4'; repeatable")
-    add("--expect", choices=("trackworthy", "not-trackworthy"), default="trackworthy")
+    add("--expect", choices=("trackworthy", "not-trackworthy", "either"), default="trackworthy")
     add("--picture", metavar="FILE.png", help="where to save the picture (default: PATH's name and the vehicle's)")
     add(
         "--export",
@@ -54,16 +63,17 @@ def main(args: argparse.Namespace) -> int:
         case = _case(args)
         trial = assemble(case, Reader(Path()).read(case))
         tell(trial.notes)
-        picture = args.picture or f"{Path(args.path).stem}-{Path(args.vehicle).stem}.png"
+        picture = args.picture or f"{Path(args.path[0]).stem}-{Path(args.vehicle).stem}.png"
         check_picture(picture)
         for file in args.export:
             check(trial.path, file)
         for file in (picture, *args.export):
-            protect(file, *filter(None, (args.path, args.vehicle, args.scenario)))
+            protect(file, *filter(None, (*args.path, args.vehicle, args.scenario)))
         outcome = run_trial(trial)
     save_track_figure(outcome, picture)
-    for file in args.export:
-        export(outcome, file)
+    exports = [one for file in args.export for one in _exports(outcome, file)]
+    for member, file in exports:
+        export(member, file)
     if args.json:
         import json
 
@@ -72,8 +82,17 @@ def main(args: argparse.Namespace) -> int:
         print(json.dumps(to_json(outcome), indent=2))
     else:
         print_outcome(outcome)
-    tell(f"saved {file}" for file in (picture, *args.export))
+    tell(f"saved {file}" for file in (picture, *(file for _, file in exports)))
     return 0 if outcome.verdict.passed else 1
+
+
+def _exports(outcome: Outcome, file: str) -> list[tuple[Outcome, str]]:
+    """What goes into which file: a fleet's tracks into one each, numbered before the suffix."""
+    if outcome.fleet is None:
+        return [(outcome, file)]
+    name = Path(file)
+    members = enumerate(outcome.fleet.members, start=1)
+    return [(member, str(name.with_stem(f"{name.stem}-{number}"))) for number, member in members]
 
 
 def _case(args: argparse.Namespace) -> Case:
@@ -81,7 +100,11 @@ def _case(args: argparse.Namespace) -> Case:
     from campaigns.conditions import ConditionKeys, WindKeys
 
     return Case(
-        path=args.path,
+        path=args.path[0],
+        others=tuple(args.path[1:]),
+        planet=args.planet,
+        departures=args.departures,
+        separation=args.separation,
         vehicle=args.vehicle,
         controller=args.controller,
         speed=args.speed,

@@ -125,8 +125,9 @@ def mutate(seen: Search, rng: np.random.Generator) -> None:
 def landed(seen: Search, positions: Floats, told: Judged, rng: np.random.Generator) -> tuple[Floats, Judged]:
     """The better half of the pigeons, flown towards their centre (eq. 9 to 11).
 
-    The centre is weighted by 1 / cost, as Duan and Qiao 2014 do where the least is sought; eq. 10 as printed weighs by
-    the cost itself, and divides by the number of pigeons once more, which would pull to the straight line.
+    The centre is weighted by 1 / cost, as Guan et al. 2024 (Intelligence & Robotics) give it after Duan and Qiao 2014,
+    where the least is sought; eq. 10 as printed weighs by the cost itself, and divides by the number of pigeons once
+    more, which would pull to the straight line.
     """
     half = np.argsort(told.cost, kind="stable")[: (len(positions) + 1) // 2]
     positions, weights = positions[half], 1.0 / (told.cost[half] + TINY)

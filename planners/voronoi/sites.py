@@ -26,7 +26,8 @@ def sites_of(area: Map, free: Any, box: tuple[float, float, float, float]) -> Fl
         points = np.array([[circle.x, circle.y] for circle in area.circles]).reshape(-1, 2)
     else:
         border = shapely.boundary(free)
-        points = shapely.get_coordinates(shapely.segmentize(border, shapely.length(border) / OUTLINE_POINTS))
+        apart = shapely.length(border) / OUTLINE_POINTS
+        points = shapely.get_coordinates(shapely.segmentize(shapely.simplify(border, apart / 4.0), apart))
     x_min, y_min, x_max, y_max = box
     edge = 1e-6 * max(x_max - x_min, y_max - y_min)
     x, y = points.T

@@ -37,6 +37,15 @@ turbulence = "light"
 wind = { speed = { weibull = [2, 6] }, from = { uniform = [0, 360] } }
 mass = { normal = [1, 0.05] }
 gust = { speed = 5, from = 20 }
+
+[[case]]
+name = "fleet"
+path = "road.csv"
+others = ["road.csv"]
+vehicle = "truck"
+speed = "45km/h"
+trials = 2
+conditions.position_noise = 0.02
 """
 KILLS = 20
 

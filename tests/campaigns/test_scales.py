@@ -288,3 +288,13 @@ def test_in_workers_too(tmp_path):
     (told,) = json.loads((tmp_path / "out" / "summary.json").read_text())["smallest_scales"]
     assert told["smallest"] == 0.5
     assert told["failing"] is None
+
+
+def test_a_route_may_stay_the_same_at_every_scale(tmp_path):
+    """Planned once, at the map's own 2 m a unit; below the planner's least scale it would find nothing."""
+    anew = find(*ready(tmp_path, SEARCH + "set = { least = 1.9 }\n"))
+    assert anew.unit == pytest.approx(1.9, rel=0.02)
+    CALLS.clear()
+    same = find(*ready(tmp_path, SEARCH + "set = { least = 1.9 }\nreplan = false\n"))
+    assert CALLS == [2.0]
+    assert same == find(*ready(tmp_path, SEARCH))

@@ -74,6 +74,7 @@ def test_a_speed_at_which_it_does_not_fly_level_is_refused(tmp_path, capfd):
         ("alpha_stall = 16.0", "alpha_stall = nan", "envelope.alpha_stall"),
         ("altitude_time = 5.0", "altitude_time = 0.0", "pitch.altitude_time"),
         ("span = 10.97", "span = -1.0", "span"),
+        ("span = 10.97", 'planet = "marz"\nspan = 10.97', "no planet 'marz'; did you mean 'mars'"),
         ("[roll] ", "[role] ", "role"),
         ("[roll] ", "[roll ", "TOML"),
     ],

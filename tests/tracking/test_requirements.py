@@ -8,7 +8,7 @@ from planners.errors import InputError
 from sim.vehicles import ALL_VEHICLES, make_vehicle
 from tracking.metric import Metric, Requirement
 from tracking.requirements import default_requirements, parse_requirement, with_user_requirements
-from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY, judge
+from tracking.verdict import EITHER, NOT_TRACKWORTHY, TRACKWORTHY, judge
 
 METRICS = {
     "cross_track_p95": Metric("cross_track_p95", 3.0, "m"),
@@ -63,6 +63,9 @@ def test_an_expected_failure_passes_and_an_unexpected_success_does_not():
     assert not judge(METRICS, [bad], TRACKWORTHY).passed
     assert judge(METRICS, [bad], NOT_TRACKWORTHY).passed
     assert not judge(METRICS, [good], NOT_TRACKWORTHY).passed
+    assert judge(METRICS, [good], EITHER).passed
+    assert judge(METRICS, [bad], EITHER).passed
+    assert not judge(METRICS, [bad], EITHER).trackworthy
 
 
 @pytest.mark.parametrize("vehicle", ALL_VEHICLES)
@@ -72,8 +75,11 @@ def test_every_vehicle_has_sensible_defaults(vehicle):
     assert required["completion"].limit == 1.0
     assert required["cross_track_max"].limit == limits.corridor
     assert required["clearance_min"].limit == 0.0
-    expected = {"c172x": {"bank_max", "load_factor_max", "stall_margin_min"}, "truck": {"lateral_acceleration_max"}}
-    assert expected[vehicle] <= set(required)
+    expected = {
+        "fixed-wing": {"bank_max", "load_factor_max", "stall_margin_min"},
+        "ground": {"lateral_acceleration_max"},
+    }
+    assert expected[limits.kind] <= set(required)
     assert all(requirement.source for requirement in required.values())
 
 

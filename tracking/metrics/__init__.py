@@ -10,6 +10,7 @@ from tracking.metrics.corridor import completion, corridor, lengths
 from tracking.metrics.errors import cross_track
 from tracking.metrics.following import altitude, angles, speed
 from tracking.metrics.frechet import frechet
+from tracking.metrics.fuel import fuel
 from tracking.metrics.loads import aircraft_loads, ground_loads, saturation
 from tracking.metrics.turning import corners, turn_angles, turn_radii
 from tracking.run import Run
@@ -29,6 +30,7 @@ ALL_METRICS: tuple[Callable[[Run], list[Metric]], ...] = (
     aircraft_loads,
     ground_loads,
     saturation,
+    fuel,
     body_clearance,
 )
 
