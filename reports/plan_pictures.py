@@ -131,8 +131,8 @@ def _draw_flown(
     each = -(-len(names) // -(-len(names) // _MOST_FLOWN)) if names else 1
     pages = [names[start : start + each] for start in range(0, len(names), each)]
     pictures = []
-    for number, page in enumerate(pages, start=1):
-        file = _file(stem, f"flown {number}" if len(pages) > 1 else "flown")
+    for page_number, page in enumerate(pages, start=1):
+        file = _file(stem, f"flown {page_number}" if len(pages) > 1 else "flown")
         save_flown_figure([runs[name] for name in page], file)
         what = "flown track and cross-track error along it, of the worst trial of its first case."
         claimed = any(one.claims for one in plans.values())
