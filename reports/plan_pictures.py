@@ -106,11 +106,11 @@ def _draw_convergence(
 
 
 def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
-    """That of the plan with the most steps, whose roadmap all others share."""
+    """That of the plan with the most steps, the shortest of these: the others share its roadmap."""
     found = {name: plan for name, plan in planned.items() if has_roadmap(plan)}
     if not found:
         return []
-    name = max(found, key=lambda one: len(found[one].stages))
+    name = max(found, key=lambda one: (len(found[one].stages), -sum(path.length for path in found[one].paths)))
     one, file = plans[name], _file(stem, "roadmap")
     save_roadmap_figure(one.scenario, found[name], one.planner.clearance, file)
     steps = _listed([f"the {found[name].stages[0].name}", *(stage.name for stage in found[name].stages[1:])])

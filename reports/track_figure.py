@@ -114,8 +114,8 @@ def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layo
     bar.set_title("distance from the path [m]", loc="left", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
     left, top = (box.left + 2.1, box.top - 0.14) if beside else (box.left, box.top + 0.38)
     figure.legend(
-        handles=legend_entries(outcome, marked, near_only=plan.map is None), loc="upper left", ncols=plan.key_columns, columnspacing=1.4,
-        handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
+        handles=legend_entries(outcome, marked, near_only=plan.map is None), loc="upper left", ncols=plan.key_columns,
+        columnspacing=1.4, handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
         bbox_to_anchor=(left / WIDTH, 1.0 - top / plan.height),
     )  # fmt: skip
 

@@ -209,3 +209,9 @@ def fleet():
 @pytest.fixture(scope="session")
 def apart_fleet():
     return make_fleet("apart", "separated")
+
+
+@pytest.fixture(scope="session")
+def plane():
+    """Makes a plane that flew a polyline alone."""
+    return plane_on
