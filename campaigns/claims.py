@@ -30,7 +30,7 @@ class Claim(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """What a `source` says of a `planner`: `length` [map units] of its path, its largest `turn` [deg], the `iterations`
     it takes, and `survivors`, of how many. Of a fleet `length` is the sum over its paths, and `longest` is its longest.
 
-    It holds on one `scenario`, by the name of its file; "" for that of the first case that plans so.
+    It holds on one `scenario`, by the name of its file, at every scale; "" for that of the first case that plans so.
     """
 
     planner: str

@@ -108,7 +108,8 @@ def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
 
 def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path) -> list[PlannedBy]:
     """Every planner of ours with its settings on each scenario, in the order of the cases, its plans as they lie in the
-    results `folder`. A claim stands by the first of its planner, on the scenario it names.
+    results `folder`. A claim stands by the first of its planner; one that names a scenario does at
+    each scale of it.
     """
     plans: dict[tuple[Scenario, Planner], dict[str, Plan]] = {}
     first: dict[tuple[Scenario, Planner], ReadyCase] = {}
@@ -118,20 +119,21 @@ def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path
                 plans.setdefault((plan.scenario, plan.planner), {})[plan.key] = plan
                 first.setdefault((plan.scenario, plan.planner), ready)
     found: list[PlannedBy] = []
-    told: set[int] = set()
+    told: set[tuple[int, Scenario | None]] = set()
     for (scenario, planner), group in plans.items():
         facts = [plan.told(folder) for plan in group.values()]
         case = first[scenario, planner].case
         here = ("", Path(case.scenario or "").stem)
         own = [
-            i for i, claim in enumerate(claims)
-            if claim.planner == planner.name and claim.scenario in here and i not in told
+            (i, scenario if claim.scenario else None) for i, claim in enumerate(claims)
+            if claim.planner == planner.name and claim.scenario in here
         ]  # fmt: skip
+        own = [which for which in own if which not in told]
         told.update(own)
         answered = [one for one in facts if one is not None]
         seed = answered[0].seed if answered else None
         searches = tuple(one for one in answered if one.evaluations)
-        stands = tuple(claims[i] for i in own)
+        stands = tuple(claims[i] for i, _ in own)
         found.append(PlannedBy(planner, scenario, seed, case.name, statistics_of(facts), stands, searches))
     return found
 

@@ -47,10 +47,12 @@ def draw_plans(
         name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
     }
     searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
-    counted = {name: one.searches for name, one in plans.items() if one.searches}
+    colonies = {name: history for name, history in searches.items() if history.evaluations is None}
+    counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
     return [
         *_draw_roadmap(plans, planned, stem),
-        *(_draw_convergence(plans, counted, stem) if counted else _draw_comparison(plans, searches, stem)),
+        *_draw_convergence(plans, counted, stem),
+        *_draw_comparison(plans, colonies, stem),
         *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
         *(_draw_ants(name, plans[name], history, stem) for name, history in searches.items() if history.swarms),
         *_draw_flown(plans, results, outcomes, stem),
@@ -95,6 +97,8 @@ def _draw_comparison(plans: Mapping[str, PlannedBy], searches: Mapping[str, Hist
 def _draw_convergence(
     plans: Mapping[str, PlannedBy], searches: Mapping[str, Sequence[PlanFacts]], stem: Path
 ) -> list[Picture]:
+    if not searches:
+        return []
     file = _file(stem, "convergence")
     exact = [plans[name].statistics.exact_length for name in searches]
     save_convergence_figure(searches, file, max((one for one in exact if one is not None), default=None))

@@ -214,4 +214,4 @@ def test_a_section_of_fleets(mars, searched, fleet, tmp_path, monkeypatch):
     assert section.fleet
     assert re.search(r"exact shortest sum 688 map units .*; range limit 424", section.about)
     write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
-    assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 4
+    assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 3
