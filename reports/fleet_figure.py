@@ -101,7 +101,7 @@ def _draw_error(axes: Axes, member: Outcome, index: int, colour: str, longest: f
     axes.plot(s[kept], error[kept], color=colour, linewidth=1.5, zorder=3)
     mark_unreached(axes, member)
     ticks(axes.yaxis, min(2.0, box.height / HIGH))
-    told = f"{called(str(index + 1), member.limits.kind)}: at most {text(largest, 'm')}"
+    told = f"{called(str(index + 1), member.limits.kind)}: max {text(round(largest, 2), 'm')}"
     axes.set_title(told, loc="right", fontsize=7.5, fontweight="normal", pad=3.5)
 
 
@@ -111,7 +111,7 @@ def _label_errors(shown: Sequence[Axes], longest: float, some: bool) -> None:
     for axes in shown:
         ticks(axes.xaxis, axes.bbox.width / axes.figure.dpi / BROAD, scale)
         axes.tick_params(labelbottom=axes is shown[-1])
-    shown[0].set_title(f"Cross-track error [m]{', the largest' if some else ''}", pad=3.5)
+    shown[0].set_title("Largest errors [m]" if some else "Cross-track error [m]", pad=3.5)
     shown[-1].set_xlabel(f"distance along the path [{unit}], left is positive")
 
 

@@ -139,7 +139,7 @@ def test_the_figure_is_the_same_bytes_and_says_what_it_shows(apart_fleet, tmp_pa
     with style():
         told = drawn(fleet_figure(apart_fleet, trial="worst of 3: trial 2"))
     for part in ("NOT TRACKWORTHY", "worst of 3: trial 2", "Separation [km]", "≥ 1 km", "1–2", "closest approach",
-                 "aircraft 3: at most 271 m", "departures at", "Cross-track error [m]"):  # fmt: skip
+                 "aircraft 3: max 271 m", "departures at", "Cross-track error [m]"):  # fmt: skip
         assert part in told
     assert "NOT TRACKWORTHY" not in drawn(fleet_figure(apart_fleet, page=True))
 
@@ -163,6 +163,8 @@ def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(fleet, apart_fleet
             assert inside.y0 >= 0.0
             assert inside.x1 <= figure.get_size_inches()[0]
             assert inside.y1 <= figure.get_size_inches()[1]
+            first = figure.axes[1]
+            assert first._right_title.get_window_extent().x0 > first._left_title.get_window_extent().x1
             panel = figure.axes[-1]
             assert panel.get_legend().get_window_extent().x0 > panel._left_title.get_window_extent().x1
 
