@@ -13,7 +13,7 @@ from reports.quantity import text
 from reports.rows import REQUIREMENTS, Row, rows, unmeasured
 from reports.words import conditions, reason, setting
 from tracking.metric import Metric
-from tracking.outcome import Outcome
+from tracking.outcome import Fleet, Outcome
 from tracking.verdict import NOT_TRACKWORTHY
 
 _MOST_PLACES, _MOST_NOTES = 6, 6  # the worst ones and the first ones; the JSON result has all
@@ -51,12 +51,8 @@ def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) ->
         "figure": figure,
         "fleet": fleet_figure,
         "shown": member_name(outcome),
-        "members": [_member(outcome, number) for number in range(1, _count(outcome) + 1)],
+        "members": _members(outcome.fleet) if outcome.fleet else [],
     }
-
-
-def _count(outcome: Outcome) -> int:
-    return len(outcome.fleet.members) if outcome.fleet else 0
 
 
 def _paths(outcome: Outcome) -> str:
@@ -76,16 +72,18 @@ def _row(row: Row) -> dict[str, Json]:
     return {**asdict(row), "words": listed(row.name), **whose}
 
 
-def _member(outcome: Outcome, number: int) -> dict[str, Json]:
-    """What a member of a fleet is alone, separations aside."""
-    fleet = outcome.fleet
-    assert fleet is not None
-    member = fleet.members[number - 1]
+def _members(fleet: Fleet) -> list[Json]:
+    """What each member of a fleet is alone, separations aside."""
+    pairs = enumerate(zip(fleet.members, fleet.departures, strict=True), start=1)
+    return [_member(member, number, departure) for number, (member, departure) in pairs]
+
+
+def _member(member: Outcome, number: int, departure: float) -> dict[str, Json]:
     metrics = member.metrics
     return {
         "name": called(str(number), member.limits.kind),
         "length": text(member.path.length, "m"),
-        "departure": text(fleet.departures[number - 1], "s"),
+        "departure": text(departure, "s"),
         "trackworthy": member.verdict.trackworthy,
         "p95": _told(metrics, "cross_track_p95"),
         "largest": _told(metrics, "cross_track_max"),
