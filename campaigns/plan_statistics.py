@@ -36,6 +36,9 @@ class PlanStatistics(msgspec.Struct, frozen=True, kw_only=True):
     largest turns of paths sampled every 1 and 5 map units, `smallest_radius` is that of the tightest curve, and
     `cornered` counts paths with corners, which have no radius. Of searches, `survivors` is the median of those of
     `population` that arrived in the last of `iterations`, and `converged` that of the first within 1 % of the best.
+
+    Of fleets of as many `paths`, `length` is the sum over these, `longest` that of the longest, `turn_max_deg` the
+    largest turn where paths are drawn, and `stages` are the median sums after each step of planning.
     """
 
     seeds: int
@@ -52,13 +55,18 @@ class PlanStatistics(msgspec.Struct, frozen=True, kw_only=True):
     iterations: int = 0
     survivors: float | None = None
     converged: float | None = None
+    paths: int = 1
+    longest: Spread | None = None
+    turn_max_deg: float | None = None
+    stages: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedBy:
     """A planner with its settings on a scenario: its `statistics`, and the `case` that is the first to fly its plans.
 
-    `seed` is that of the first it answered, None where it always failed; `claims` are what others say of it.
+    `seed` is that of the first it answered, None where it always failed; `claims` are what others say of it. `searches`
+    are the facts of those plans whose search counted its cost evaluations.
     """
 
     planner: Planner
@@ -67,6 +75,7 @@ class PlannedBy:
     case: str
     statistics: PlanStatistics
     claims: tuple[Claim, ...] = ()
+    searches: tuple[PlanFacts, ...] = ()
 
 
 def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
@@ -90,28 +99,51 @@ def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
         iterations=max((len(one.survivors) for one in searches), default=0),
         survivors=median(one.survivors[-1] for one in searches) if searches else None,
         converged=median(arrived) if (arrived := _known(one.converged for one in searches)) else None,
+        paths=max((len(one.lengths) for one in paths), default=1),
+        longest=_spread(one.longest for one in paths),
+        turn_max_deg=max(_known(one.turn_angle_max_deg for one in paths), default=None),
+        stages=_stages(paths),
     )
 
 
 def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path) -> list[PlannedBy]:
     """Every planner of ours with its settings on each scenario, in the order of the cases, its plans as they lie in the
-    results `folder`. A claim stands by the first of its planner.
+    results `folder`. A claim stands by the first of its planner; one that names a scenario does at
+    each scale of it.
     """
     plans: dict[tuple[Scenario, Planner], dict[str, Plan]] = {}
-    first: dict[tuple[Scenario, Planner], str] = {}
+    first: dict[tuple[Scenario, Planner], ReadyCase] = {}
     for ready in cases:
         for plan in ready.plans:
             if not isinstance(plan.planner, OutsidePlanner):
                 plans.setdefault((plan.scenario, plan.planner), {})[plan.key] = plan
-                first.setdefault((plan.scenario, plan.planner), ready.case.name)
+                first.setdefault((plan.scenario, plan.planner), ready)
     found: list[PlannedBy] = []
+    told: set[tuple[int, Scenario | None]] = set()
     for (scenario, planner), group in plans.items():
         facts = [plan.told(folder) for plan in group.values()]
-        again = any(one.planner.name == planner.name for one in found)
-        own = () if again else tuple(claim for claim in claims if claim.planner == planner.name)
-        seed = next((one.seed for one in facts if one is not None), None)
-        found.append(PlannedBy(planner, scenario, seed, first[scenario, planner], statistics_of(facts), own))
+        case = first[scenario, planner].case
+        here = ("", Path(case.scenario or "").stem)
+        own = [
+            (i, scenario if claim.scenario else None) for i, claim in enumerate(claims)
+            if claim.planner == planner.name and claim.scenario in here
+        ]  # fmt: skip
+        own = [which for which in own if which not in told]
+        told.update(own)
+        answered = [one for one in facts if one is not None]
+        seed = answered[0].seed if answered else None
+        searches = tuple(one for one in answered if one.evaluations)
+        stands = tuple(claims[i] for i, _ in own)
+        found.append(PlannedBy(planner, scenario, seed, case.name, statistics_of(facts), stands, searches))
     return found
+
+
+def _stages(paths: Sequence[PlanFacts]) -> tuple[tuple[str, float], ...]:
+    """The median length [m] after each step that all `paths` went through, in their order."""
+    names = [name for name, _ in paths[0].stages] if paths else []
+    steps = [dict(one.stages) for one in paths]
+    shared = [name for name in names if all(name in step for step in steps)]
+    return tuple((name, median(step[name] for step in steps)) for name in shared)
 
 
 def _spread(values: Iterable[float | None]) -> Spread | None:

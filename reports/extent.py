@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -75,6 +76,12 @@ def whole(outcome: Outcome) -> Extent:
         corners = np.array([[shown.x_min, shown.y_min], [shown.x_max, shown.y_max], bounds[:2], bounds[2:]])
         shown = _bounding(corners)
     return shown.grown(max(_MARGIN * shown.larger, 1.5 * min(outcome.corridor, 0.1 * shown.larger)))
+
+
+def whole_fleet(outcomes: Sequence[Outcome]) -> Extent:
+    """All that `whole` shows of each of `outcomes`."""
+    views = [whole(outcome) for outcome in outcomes]
+    return _bounding(np.array([corner for one in views for corner in ((one.x_min, one.y_min), (one.x_max, one.y_max))]))
 
 
 def _bounding(xy: Floats) -> Extent:

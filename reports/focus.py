@@ -34,7 +34,8 @@ class Focus:
 
 def focus(outcome: Outcome) -> Focus | None:
     """Where the deciding metric was worst; one without a place gives way to the largest cross-track error."""
-    margin, cross_track = outcome.verdict.decisive, outcome.metrics.get("cross_track_max")
+    own = outcome.fleet.members[outcome.fleet.member] if outcome.fleet else outcome
+    margin, cross_track = outcome.verdict.decisive, own.metrics.get("cross_track_max")
     for metric in (margin.metric if margin else None, cross_track):
         if metric is not None and metric.valid and (found := _locate(outcome, metric)):
             return found
@@ -48,12 +49,17 @@ def focus(outcome: Outcome) -> Focus | None:
 def _locate(outcome: Outcome, metric: Metric) -> Focus | None:
     title, label = _told(outcome, metric)
     if math.isfinite(metric.t) and len(outcome.track):
-        late = np.abs(outcome.track["t"] - metric.t)
+        late = np.abs(outcome.track["t"] - metric.t + _departure(outcome, metric))
         if np.isfinite(late).any() and np.nanmin(late) <= _AT_THE_TIME:
             return _at_sample(outcome, int(np.nanargmin(late)), title, label)
     if math.isfinite(metric.s):
         return Focus(metric.s, *outcome.path.point_at(metric.s), None, label, title, not outcome.verdict.trackworthy)
     return None
+
+
+def _departure(outcome: Outcome, metric: Metric) -> float:
+    """When the clock of the vehicle started on that of the metric [s]: what two share is told on the fleet's."""
+    return outcome.fleet.departures[outcome.fleet.member] if outcome.fleet and " " in metric.who else 0.0
 
 
 def _told(outcome: Outcome, metric: Metric) -> tuple[str, str]:

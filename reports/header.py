@@ -28,14 +28,14 @@ class Head:
     reason: str
 
 
-def head_of(outcome: Outcome, trial: str = "") -> Head:
-    """The head of one run; `trial` says which of several it is."""
-    told = setting(outcome)
+def head_of(outcome: Outcome, trial: str = "", member: str = "") -> Head:
+    """The head of one run; `trial` says which of several it is, `member` which vehicle of a fleet is shown."""
+    parts = [which for which in (trial, member) if which]
     return Head(
         outcome.name,
         outcome.verdict.trackworthy,
         verdict_words(outcome),
-        f"{trial} · {told}" if trial else told,
+        " · ".join([*parts, setting(outcome)]),
         reason(outcome),
     )
 

@@ -5,13 +5,19 @@ from __future__ import annotations
 import math
 from importlib.metadata import PackageNotFoundError, version
 
+import numpy as np
+
 from planners.units import degrees
 from reports.infeasible import turned
 from reports.words import reason, sentence
 from tracking.feasibility import Feasibility, Slope, Stretch
 from tracking.metric import SCHEMA_VERSION, Margin, Metric
-from tracking.outcome import Outcome
+from tracking.outcome import Fleet, Outcome
+from tracking.separation import Separation
 from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
+
+# Of what is told of a run, that which is a fleet member's own
+_OF_MEMBER = ("verdict", "reason", "decided_by", "ended", "seed", "path", "requirements", "metrics", "feasibility")
 
 Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
 
@@ -50,8 +56,33 @@ def to_json(outcome: Outcome) -> dict[str, Json]:
             "infeasible": [_stretch(outcome.feasibility, stretch) for stretch in outcome.feasibility.stretches],
             "steep": [_slope(slope) for slope in outcome.feasibility.steep],
         },
+        "fleet": _fleet(outcome.fleet) if outcome.fleet else None,
         "notes": list(outcome.notes),
         "versions": {"trackworthy": _version(), "schema": SCHEMA_VERSION},
+    }
+
+
+def _fleet(fleet: Fleet) -> Json:
+    """Departures and remedy [s], separations [m], and what each member is alone; vehicles are numbered from 1."""
+    members = [to_json(member) for member in fleet.members]
+    return {
+        "decided_by": fleet.member + 1,
+        "departures": list(fleet.departures),
+        "separation_required": fleet.required,
+        "separation": [_pair(fleet.apart, column) for column in range(len(fleet.apart.pairs))],
+        "remedy": list(fleet.remedy) or None,
+        "members": [{key: told[key] for key in _OF_MEMBER} for told in members],
+    }
+
+
+def _pair(apart: Separation, column: int) -> Json:
+    """Two vehicles, their smallest distance and when that was; null where they were never under way together."""
+    distances = apart.distances[:, column]
+    row = int(np.nanargmin(distances)) if np.isfinite(distances).any() else None
+    return {
+        "pair": [number + 1 for number in apart.pairs[column]],
+        "min": None if row is None else float(distances[row]),
+        "t": None if row is None else float(apart.t[row]),
     }
 
 
@@ -69,6 +100,7 @@ def _requirement(margin: Margin) -> Json:
         "s": _finite(metric.s),
         "t": _finite(metric.t),
         "source": requirement.source,
+        "who": metric.who,
     }
 
 
@@ -82,6 +114,7 @@ def _metric(metric: Metric) -> Json:
         "s": _finite(metric.s),
         "t": _finite(metric.t),
         "note": metric.note,
+        "who": metric.who,
     }
 
 

@@ -15,6 +15,7 @@ _TITLE = 0.22  # above axes
 _CAPTION = 0.38  # above the near view, for two lines
 _KEY = 0.46  # colour bar and legend under the map
 _PAGE_KEY = 1.5  # the same beside it
+_SHORT_KEY = 0.72  # without what a map has
 _BOTTOM = 0.06
 
 
@@ -37,10 +38,11 @@ class Box:
 class Layout:
     """Boxes for the map, the view of the worst point, the key, and the series in their order; the figure's height.
 
-    `key_columns` is how many columns the legend has; `lowest` tells which series have nothing below them.
+    There is no map where another figure has it. `key_columns` is how many columns the legend has; `lowest` tells which
+    series have nothing below them.
     """
 
-    map: Box
+    map: Box | None
     near: Box
     key: Box
     key_columns: int
@@ -79,13 +81,22 @@ def page_layout(aspect: float, count: int) -> Layout:
     return _wide(aspect, count, _BOTTOM, _ON_PAGE) if aspect > _WIDE else _low(aspect, count)
 
 
+def member_layout(count: int) -> Layout:
+    """Like `page_layout`, of a member of a fleet, whose own figure has the map."""
+    return _below(None, _CAPTION, count, _ON_PAGE, _SHORT_KEY)
+
+
 def _wide(aspect: float, count: int, top: float, sizes: _Sizes) -> Layout:
-    """The map over the full width; below it the near view, with the key under it, and the series beside."""
+    """The map over the full width, the rest below it."""
     lowest, highest = sizes.flat
     world = Box(LEFT, top, _FULL, min(highest, max(lowest, _FULL / aspect)))
-    below = world.bottom + _LABELS + _CAPTION
+    return _below(world, world.bottom + _LABELS + _CAPTION, count, sizes)
+
+
+def _below(world: Box | None, below: float, count: int, sizes: _Sizes, key_height: float = 1.0) -> Layout:
+    """Under the map the near view, with the key under it, and the series beside."""
     near = Box(LEFT, below, max(sizes.near, 1.9), sizes.near)
-    key = Box(0.2, near.bottom + _LABELS + 0.22, near.width + LEFT - 0.2, 1.0)
+    key = Box(0.2, near.bottom + _LABELS + 0.22, near.width + LEFT - 0.2, key_height)
     left, step = LEFT + near.width + _GAP, sizes.flat_panel + sizes.between
     series = tuple(Box(left, below + i * step, WIDTH - RIGHT - left, sizes.flat_panel) for i in range(count))
     return Layout(world, near, key, 2, series, max(series[-1].bottom + _LABELS, key.bottom) + _BOTTOM)

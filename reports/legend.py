@@ -9,21 +9,21 @@ from reports.style import CORRIDOR, DASHES, FENCE, FENCE_DASHES, INK, MARK, MUTE
 from tracking.outcome import Outcome
 
 
-def legend_entries(outcome: Outcome, marked: Focus | None) -> list[Line2D]:
-    """One entry for every kind of mark that the map of `outcome` has."""
+def legend_entries(outcome: Outcome, marked: Focus | None, near_only: bool = False) -> list[Line2D]:
+    """One entry for every kind of mark that the map of `outcome` has; `near_only` for the view of the marked point."""
     looks: list[Look] = [
         {"label": "planned", "color": INK, "linewidth": 1.0, "linestyle": DASHES},
         {"label": "corridor", "color": CORRIDOR, "linewidth": 5.0, "alpha": 0.4},
-        _mark("start", (3, 0, -90), 7.0, INK, PAPER),
-        _mark("goal", "s", 6.0, INK, PAPER),
     ]
+    if not near_only:
+        looks += [mark_look("start", (3, 0, -90), 7.0, INK, PAPER), mark_look("goal", "s", 6.0, INK, PAPER)]
     if marked is not None:
-        ring = _mark(marked.title.lower(), "o", 8.0, "none", MARK[marked.alarm])
+        ring = mark_look(marked.title.lower(), "o", 8.0, "none", MARK[marked.alarm])
         looks.append({**ring, "markeredgewidth": 1.6})
     if outcome.feasibility.tight:
         bar: Look = {"linestyle": "-", "linewidth": 5.0, "color": TIGHT, "solid_capstyle": "butt"}
-        looks.append({**_mark("turn too tight", "v", 6.0, TIGHT, INK), **bar})
-    area = outcome.obstacles
+        looks.append({**mark_look("turn too tight", "v", 6.0, TIGHT, INK), **bar})
+    area = None if near_only else outcome.obstacles
     if area is not None and (area.keep_in or area.keep_in_circles):
         looks.append({"label": "fence", "color": FENCE, "linewidth": 1.4, "linestyle": FENCE_DASHES})
     if area is not None and area.bounds is not None:
@@ -31,7 +31,8 @@ def legend_entries(outcome: Outcome, marked: Focus | None) -> list[Line2D]:
     return [Line2D([], [], **look) for look in looks]
 
 
-def _mark(label: str, shape: object, size: float, face: str, edge: str) -> Look:
+def mark_look(label: str, shape: object, size: float, face: str, edge: str) -> Look:
+    """A single mark, for a legend or a map."""
     return {
         "label": label, "marker": shape, "markersize": size, "markerfacecolor": face, "markeredgecolor": edge,
         "markeredgewidth": 0.8, "linestyle": "none",

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 _ROUND = 48  # segments in a quarter of a circle
 
 
-def draw_obstacles(axes: Axes, area: Map, window: Polygon) -> None:
-    """Draw the part of `area` in `window` [m]."""
-    _raster(axes, area)
-    solid: Look = {"facecolor": OBSTACLE, "edgecolor": OBSTACLE_EDGE, "linewidth": 0.8, "zorder": 2.0}
+def draw_obstacles(axes: Axes, area: Map, window: Polygon, colour: str = OBSTACLE) -> None:
+    """Draw the part of `area` in `window` [m], what is forbidden in that `colour`."""
+    _raster(axes, area, colour)
+    solid: Look = {"facecolor": colour, "edgecolor": OBSTACLE_EDGE, "linewidth": 0.8, "zorder": 2.0}
     for shape in (*map(Polygon, area.polygons), *map(_disc, area.circles)):
         fill(axes, make_valid(shape).intersection(window), solid)
     fence: Look = {"color": FENCE, "linewidth": 1.4, "linestyle": FENCE_DASHES, "zorder": 2.2}
@@ -32,7 +32,7 @@ def draw_obstacles(axes: Axes, area: Map, window: Polygon) -> None:
         stroke(axes, edge, {"color": MUTED, "linewidth": 1.2, "zorder": 2.1})
 
 
-def _raster(axes: Axes, area: Map) -> None:
+def _raster(axes: Axes, area: Map, colour: str) -> None:
     raster = area.raster
     if raster is None:
         return
@@ -42,7 +42,7 @@ def _raster(axes: Axes, area: Map) -> None:
         np.ma.masked_equal(raster.blocked, False),
         extent=(raster.x, raster.x + columns * raster.cell, raster.y, raster.y + rows * raster.cell),
         origin="lower",
-        cmap=ListedColormap([OBSTACLE]),
+        cmap=ListedColormap([colour]),
         interpolation="nearest",
         zorder=1.9,
     )

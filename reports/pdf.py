@@ -59,6 +59,7 @@ def _compiled(
     import typst
 
     from planners.errors import TrackworthyError
+    from reports.fleet_figure import save_fleet_figure
     from reports.track_figure import save_track_figure
 
     several = {result.case.name: result for result in results if result.case.trials > 1}
@@ -67,7 +68,10 @@ def _compiled(
     for number, outcome in enumerate(outcomes):
         figure, result = f"case-{number}.svg", several.get(outcome.name)
         save_track_figure(outcome, folder / figure, page=True)
-        case = case_data(outcome, figure, commands[number] if number < len(commands) else "")
+        fleet_figure = f"fleet-{number}.svg" if outcome.fleet else ""
+        if fleet_figure:
+            save_fleet_figure(outcome, folder / fleet_figure, page=True)
+        case = case_data(outcome, figure, fleet_figure, commands[number] if number < len(commands) else "")
         cases.append({**case, "trials": None if result is None else _trials(result, outcome, folder, number)})
     rows = summary_rows(outcomes, results, pages)
     searches = [scale_row(result) for result in scales]

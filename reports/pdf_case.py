@@ -2,32 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 
+from reports.fleet_words import called, member_name, vehicle_words
 from reports.infeasible import steep_rows, tight_rows
 from reports.json_result import Json
 from reports.names import listed
 from reports.quantity import text
-from reports.rows import REQUIREMENTS, rows, unmeasured
+from reports.rows import REQUIREMENTS, Row, rows, unmeasured
 from reports.words import conditions, reason, setting
-from tracking.outcome import Outcome
+from tracking.metric import Metric
+from tracking.outcome import Fleet, Outcome
 from tracking.verdict import NOT_TRACKWORTHY
 
 _MOST_PLACES, _MOST_NOTES = 6, 6  # the worst ones and the first ones; the JSON result has all
 
 
-def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
-    """The case as the template `report.typ` reads it."""
+def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) -> dict[str, Json]:
+    """The case as the template `report.typ` reads it; `fleet_figure` is "" for a vehicle that is alone."""
     verdict, feasibility = outcome.verdict, outcome.feasibility
-    table: list[dict[str, Json]] = [{**asdict(row), "words": listed(row.name)} for row in rows(outcome)]
+    table: list[dict[str, Json]] = [_row(row) for row in rows(outcome)]
     about, notes = _common_source(outcome.notes)
     return {
         "name": outcome.name,
-        "vehicle": outcome.vehicle,
+        "vehicle": vehicle_words(outcome),
         "controller": outcome.controller,
         "conditions": list(conditions(outcome)),
         "corridor": text(outcome.corridor, "m"),
-        "length": text(outcome.path.length, "m"),
+        "path": _paths(outcome),
         "seed": outcome.seed,
         "setting": setting(outcome),
         "trackworthy": verdict.trackworthy,
@@ -46,7 +49,51 @@ def case_data(outcome: Outcome, figure: str, command: str) -> dict[str, Json]:
         "unmeasured": list(unmeasured(outcome, listed)),
         "command": command,
         "figure": figure,
+        "fleet": fleet_figure,
+        "shown": member_name(outcome),
+        "members": _members(outcome.fleet) if outcome.fleet else [],
     }
+
+
+def _paths(outcome: Outcome) -> str:
+    """ "path 12.3 km", or the lengths of all of a fleet: "paths 12.3 km, 8 km and 9.1 km"."""
+    if not outcome.fleet:
+        return f"path {text(outcome.path.length, 'm')}"
+    *first, last = (text(member.path.length, "m") for member in outcome.fleet.members)
+    return f"paths {', '.join(first)} and {last}"
+
+
+def _row(row: Row) -> dict[str, Json]:
+    """A row whose places say whose they are."""
+    places = {name: f"{place} of {row.who}" for name, place in (("at", row.at), ("when", row.when)) if place}
+    whose = places if row.who else {}
+    if row.who and not places:
+        whose = {"when": f"of {row.who}"}
+    return {**asdict(row), "words": listed(row.name), **whose}
+
+
+def _members(fleet: Fleet) -> list[Json]:
+    """What each member of a fleet is alone, separations aside."""
+    pairs = enumerate(zip(fleet.members, fleet.departures, strict=True), start=1)
+    return [_member(member, number, departure) for number, (member, departure) in pairs]
+
+
+def _member(member: Outcome, number: int, departure: float) -> dict[str, Json]:
+    metrics = member.metrics
+    return {
+        "name": called(str(number), member.limits.kind),
+        "length": text(member.path.length, "m"),
+        "departure": text(departure, "s"),
+        "trackworthy": member.verdict.trackworthy,
+        "p95": _told(metrics, "cross_track_p95"),
+        "largest": _told(metrics, "cross_track_max"),
+        "clearance": _told(metrics, "clearance_min"),
+        "why": reason(member),
+    }
+
+
+def _told(metrics: Mapping[str, Metric], name: str) -> str:
+    return text(metrics[name].value, metrics[name].unit) if name in metrics else ""
 
 
 def _common_source(notes: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:

@@ -11,7 +11,7 @@ from campaigns.summary import CaseResult
 from planners.scenario import Scenario
 from reports.json_result import Json
 from reports.plan_pictures import Picture, draw_plans
-from reports.plan_rows import labels, plan_row, yardsticks
+from reports.plan_rows import is_fleet, labels, limits, plan_row, yardsticks
 from reports.quantity import text
 from reports.slug import slug
 from tracking.outcome import Outcome
@@ -26,6 +26,7 @@ class Section:
     rows: list[Json]
     note: str
     pictures: list[Picture]
+    fleet: bool = False
 
 
 def plan_sections(
@@ -35,21 +36,30 @@ def plan_sections(
     note: str,
     folder: Path,
 ) -> list[Section]:
-    """A section a scenario, its pictures drawn to PNG files in `folder`.
+    """A section a scenario, its pictures drawn to PNG files in `folder`; of one at several scales, those of one scale.
 
     The `note` stands under the first table with claims, or else under the first.
     """
     scenarios = list(dict.fromkeys(one.scenario for one in plans))
     groups = [[one for one in plans if one.scenario is scenario] for scenario in scenarios]
     noted = next((i for i, group in enumerate(groups) if any(one.claims for one in group)), 0)
+    drawn = _drawn(groups)
     sections = []
     for i, (scenario, group) in enumerate(zip(scenarios, groups, strict=True)):
         named = dict(zip(labels(group), group, strict=True))
         rows: list[Json] = [plan_row(one, name) for name, one in named.items()]
-        pictures = draw_plans(named, results, outcomes, folder / f"plans-{i + 1}-{slug(scenario.name)}")
+        stem = folder / f"plans-{i + 1}-{slug(scenario.name)}"
+        pictures = draw_plans(named, results, outcomes, stem) if i in drawn else []
         told = note if i == noted else ""
-        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures))
+        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
     return sections
+
+
+def _drawn(groups: Sequence[Sequence[PlannedBy]]) -> set[int]:
+    """Which groups are drawn: of each scenario the scale with the most plans, as they look the same at any."""
+    count = {i: sum(one.statistics.seeds for one in group) for i, group in enumerate(groups)}
+    names = [group[0].scenario.name for group in groups]
+    return {max((i for i in count if names[i] == name), key=lambda i: count[i]) for name in names}
 
 
 def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
@@ -59,6 +69,7 @@ def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
         "scenario": section.scenario,
         "about": section.about,
         "rows": section.rows,
+        "fleet": section.fleet,
         "note": section.note,
         "pictures": [{"file": file, "caption": picture.caption} for file, picture in pictures],
     }
@@ -69,4 +80,6 @@ def _about(scenario: Scenario, plans: Sequence[PlannedBy]) -> str:
     width, height = (side / scenario.unit for side in scenario.size)
     scale = f"{width:g} × {height:g} map units of {text(scenario.unit, 'm')}"
     exact = yardsticks(plans)
-    return f"{scale}; exact shortest path {exact}" if exact else scale
+    what = "sum" if is_fleet(scenario) else "path"
+    parts = [scale, f"exact shortest {what} {exact}" if exact else "", limits(scenario)]
+    return "; ".join(filter(None, parts))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from campaigns.summary import ERROR, CaseResult
+from reports.fleet_words import vehicle_words
 from reports.json_result import Json
 from reports.trials_words import case_conditions, headline_words, planned_setting, verdict_reason, worst_words
 from reports.words import conditions, reason
@@ -17,7 +18,7 @@ def outcome_row(outcome: Outcome, page: int) -> dict[str, Json]:
     verdict = TRACKWORTHY if outcome.verdict.trackworthy else NOT_TRACKWORTHY
     return {
         "name": outcome.name,
-        "vehicle": outcome.vehicle,
+        "vehicle": vehicle_words(outcome),
         "controller": outcome.controller,
         "conditions": list(conditions(outcome)),
         "verdict": verdict,
@@ -37,7 +38,7 @@ def result_row(result: CaseResult, outcome: Outcome | None, page: int | None) ->
     more = [headline_words(result)] if result.case.trials > 1 else []
     return {
         "name": result.case.name,
-        "vehicle": vehicle if outcome is None else outcome.vehicle,
+        "vehicle": vehicle if outcome is None else vehicle_words(outcome),
         "controller": controller,
         "conditions": [speed] if outcome is None else list(case_conditions(result, outcome)),
         "verdict": result.verdict,

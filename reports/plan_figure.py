@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from matplotlib.figure import Figure
@@ -12,8 +12,10 @@ from matplotlib.patches import Rectangle
 from planners.path import Path as PlannedPath
 from planners.planner import Plan
 from planners.scenario import Scenario
+from reports.fleet_plan_figure import fleet_plan_figure
 from reports.layout import LEFT, RIGHT, Box
-from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, whole_map
+from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, total, whole_map
+from reports.plan_rows import is_fleet
 from reports.plan_search import draw_search
 from reports.plan_turn import draw_exact, draw_lines, draw_turn, turn_view
 from reports.quantity import number, text
@@ -31,11 +33,15 @@ _MOST_TURNS = 3
 def save_plan_figure(scenario: Scenario, plans: Mapping[str, Plan], file: str | Path, clearance: float = 0.0) -> None:
     """Write the picture of `plans`, by name, as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    The yardstick is the exact shortest path that keeps `clearance` [m]. The same plans give the same bytes. Raises
-    `InputError` where the folder does not exist.
+    The one plan of a fleet has a picture of its own. The yardstick is the exact shortest path that keeps `clearance`
+    [m]. The same plans give the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
-        save(plan_figure(scenario, plans, clearance), file)
+        if is_fleet(scenario) and len(plans) == 1:
+            ((name, plan),) = plans.items()
+            save(fleet_plan_figure(scenario, name, plan, clearance), file)
+        else:
+            save(plan_figure(scenario, plans, clearance), file)
 
 
 def plan_figure(scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0) -> Figure:
@@ -66,7 +72,7 @@ def plan_figure(scenario: Scenario, plans: Mapping[str, Plan], clearance: float 
         )
     _draw_key(figure, scenario, world, plans, _yardstick(exact, clearance))
     if search is not None:
-        draw_search(figure, search, histories, colours, exact.length if exact else None)
+        draw_search(figure, search, histories, colours, total(exact))
     return figure
 
 
@@ -90,7 +96,11 @@ def _rows(top: float, turns: int, searched: bool) -> tuple[list[Box], Box | None
 
 
 def _draw_head(
-    figure: Figure, scenario: Scenario, plans: Mapping[str, Plan], colours: Mapping[str, str], exact: PlannedPath | None
+    figure: Figure,
+    scenario: Scenario,
+    plans: Mapping[str, Plan],
+    colours: Mapping[str, str],
+    exact: Sequence[PlannedPath],
 ) -> None:
     """The scenario's name, and a line about each plan in its colour."""
     height = figure.get_size_inches()[1]
@@ -105,25 +115,26 @@ def _draw_head(
     )  # fmt: skip
 
 
-def _told(plan: Plan, unit: float, exact: PlannedPath | None) -> str:
+def _told(plan: Plan, unit: float, exact: Sequence[PlannedPath]) -> str:
     """Length, also in map units of `unit` [m] and against the exact shortest path; or why there is no path."""
     if not plan.paths:
         return f"{plan.outcome}: {plan.reason}"
-    length = plan.paths[0].length
+    length, least = sum(path.length for path in plan.paths), total(exact)
     told = text(length, "m", 4)
     if unit != 1.0:
         told += f" ({number(length / unit, 6)} map units)"
-    if exact is not None:
-        told += f", {number(length / exact.length, 4)} times the exact shortest path"
+    if least is not None:
+        told += f", {number(length / least, 4)} times the exact shortest {'path' if len(exact) == 1 else 'sum'}"
     return told
 
 
-def _yardstick(exact: PlannedPath | None, clearance: float) -> str:
+def _yardstick(exact: Sequence[PlannedPath], clearance: float) -> str:
     """What the exact shortest path is called, "" where there is none."""
-    if exact is None:
+    least = total(exact)
+    if least is None:
         return ""
     apart = f", {text(clearance, 'm')} clear" if clearance else ""
-    return f"exact shortest{apart}: {text(exact.length, 'm', 4)}"
+    return f"exact shortest{apart}: {text(least, 'm', 4)}"
 
 
 def _draw_key(figure: Figure, scenario: Scenario, world: Box, plans: Mapping[str, Plan], yardstick: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ from planners.scenario import Scenario
 from reports.extent import Extent
 from reports.layout import Box
 from reports.obstacle_panel import draw_obstacles
-from reports.style import BLUE, GREEN, GROUND_COLOUR, INK, MUTED, ORANGE, PAPER, PURPLE, VERMILION, Look
+from reports.style import BLUE, GREEN, GROUND_COLOUR, INK, MUTED, OBSTACLE, ORANGE, PAPER, PURPLE, VERMILION, Look
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 
 if TYPE_CHECKING:
@@ -43,20 +43,29 @@ def whole_map(scenario: Scenario) -> Extent:
     return view.grown(_MARGIN * view.larger)
 
 
-def shortest(scenario: Scenario, clearance: float) -> Path | None:
-    """The exact shortest path that keeps `clearance` [m], or None where there is none."""
-    plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
-    return plan.paths[0] if plan.paths else None
+def shortest(scenario: Scenario, clearance: float) -> tuple[Path, ...]:
+    """The exact shortest paths that keep `clearance` [m], one a vehicle; none where there are none."""
+    return Exact(clearance=clearance).plan(scenario, np.random.default_rng(0)).paths
+
+
+def total(paths: Sequence[Path]) -> float | None:
+    """The length of all `paths` together [m], None for none."""
+    return sum(path.length for path in paths) if paths else None
 
 
 def draw_ground(axes: Axes, scenario: Scenario, view: Extent) -> None:
     """Draw what of the map is in `view` on `axes`, whose box must have the view's aspect, without ticks."""
+    draw_hazards(axes, scenario, view, OBSTACLE)
+    axes.plot(*scenario.starts.T, **_START, **_PLACE)
+    axes.plot(*scenario.goals.T, **_GOAL, **_PLACE)
+
+
+def draw_hazards(axes: Axes, scenario: Scenario, view: Extent, colour: str) -> None:
+    """Like `draw_ground`, without start and goal, the obstacles in that `colour`."""
     axes.set(xlim=(view.x_min, view.x_max), ylim=(view.y_min, view.y_max), facecolor=GROUND_COLOUR)
     axes.set_aspect("equal", adjustable="box")
     axes.spines[:].set_visible(True)
-    draw_obstacles(axes, scenario.map, box(view.x_min, view.y_min, view.x_max, view.y_max))
-    axes.plot(*scenario.starts.T, **_START, **_PLACE)
-    axes.plot(*scenario.goals.T, **_GOAL, **_PLACE)
+    draw_obstacles(axes, scenario.map, box(view.x_min, view.y_min, view.x_max, view.y_max), colour)
 
 
 def label_ground(axes: Axes, room: Box, view: Extent, east: bool = True, north: bool = True) -> None:

@@ -9,11 +9,15 @@ from pathlib import Path
 from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
 from planners.all_planners import plan_with
+from planners.facts import PlanFacts
 from planners.planner import History, Plan
 from reports.colony_figure import save_colony_figure, shown_iterations
 from reports.comparison_figure import save_comparison_figure
+from reports.convergence_figure import HIGHEST, LOW, save_convergence_figure
 from reports.flown_figure import save_flown_figure
 from reports.plan_figure import save_plan_figure
+from reports.quantity import number
+from reports.roadmap_figure import has_roadmap, save_roadmap_figure
 from reports.slug import slug
 from reports.trials_words import worst_name
 from tracking.outcome import Outcome
@@ -35,15 +39,20 @@ def draw_plans(
 ) -> list[Picture]:
     """Draw `plans` of one scenario, by label, as PNG files that begin with `stem`.
 
-    The searches in the same axes, each planner's plan, each one's ants, and then the runs: of the first case of each
-    planner that of `outcomes`, by the name of the case. The same plans give the same bytes.
+    The roadmap, the searches in the same axes, each planner's plan, each one's ants, and then the runs: of the first
+    case of each planner that of `outcomes`, by the name of the case; fleets have a page for each case instead. The same
+    plans give the same bytes.
     """
     planned = {
         name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
     }
     searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
+    colonies = {name: history for name, history in searches.items() if history.evaluations is None}
+    counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
     return [
-        *_draw_comparison(plans, searches, stem),
+        *_draw_roadmap(plans, planned, stem),
+        *_draw_convergence(plans, counted, stem),
+        *_draw_comparison(plans, colonies, stem),
         *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
         *(_draw_ants(name, plans[name], history, stem) for name, history in searches.items() if history.swarms),
         *_draw_flown(plans, results, outcomes, stem),
@@ -85,19 +94,49 @@ def _draw_comparison(plans: Mapping[str, PlannedBy], searches: Mapping[str, Hist
     return [Picture(file, f"{_listed(searches)} on the same axes: {what}{beside}")]
 
 
+def _draw_convergence(
+    plans: Mapping[str, PlannedBy], searches: Mapping[str, Sequence[PlanFacts]], stem: Path
+) -> list[Picture]:
+    if not searches:
+        return []
+    file = _file(stem, "convergence")
+    exact = [plans[name].statistics.exact_length for name in searches]
+    save_convergence_figure(searches, file, max((one for one in exact if one is not None), default=None))
+    seeds = " and ".join(dict.fromkeys(str(len(facts)) for facts in searches.values()))
+    what = f"the best sum of paths within all limits by cost evaluations, median and band of {number(LOW)} to"
+    band = f"{number(HIGHEST)} % over {seeds} seeds; and the share of seeds that have such paths."
+    beside = _beside(claim.beside.comparison for name in searches for claim in plans[name].claims)
+    return [Picture(file, f"{_listed(searches)}: {what} {band}{beside}")]
+
+
+def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
+    """That of the plan with the most steps, the shortest of these: the others share its roadmap."""
+    found = {name: plan for name, plan in planned.items() if has_roadmap(plan)}
+    if not found:
+        return []
+    name = max(found, key=lambda one: (len(found[one].stages), -sum(path.length for path in found[one].paths)))
+    one, file = plans[name], _file(stem, "roadmap")
+    save_roadmap_figure(one.scenario, found[name], one.planner.clearance, file)
+    steps = _listed([f"the {found[name].stages[0].name}", *(stage.name for stage in found[name].stages[1:])])
+    beside = _beside(claim.beside.roadmap for other in plans.values() for claim in other.claims)
+    return [Picture(file, f"The Voronoi roadmap, and the paths of {name} after {steps}.{beside}")]
+
+
 def _draw_flown(
     plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: Path
 ) -> list[Picture]:
     cases = {result.case.name: result for result in results}
     runs = {
-        name: _named(outcomes[one.case], name, cases[one.case]) for name, one in plans.items() if one.case in outcomes
+        name: _named(outcomes[one.case], name, cases[one.case])
+        for name, one in plans.items()
+        if one.case in outcomes and outcomes[one.case].fleet is None
     }
     names = list(runs)
     each = -(-len(names) // -(-len(names) // _MOST_FLOWN)) if names else 1
     pages = [names[start : start + each] for start in range(0, len(names), each)]
     pictures = []
-    for number, page in enumerate(pages, start=1):
-        file = _file(stem, f"flown {number}" if len(pages) > 1 else "flown")
+    for page_number, page in enumerate(pages, start=1):
+        file = _file(stem, f"flown {page_number}" if len(pages) > 1 else "flown")
         save_flown_figure([runs[name] for name in page], file)
         what = "flown track and cross-track error along it, of the worst trial of its first case."
         claimed = any(one.claims for one in plans.values())
@@ -115,6 +154,11 @@ def _named(outcome: Outcome, name: str, result: CaseResult) -> Outcome:
 def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     if not plan.paths:
         return f"{name}, seed {one.seed}: {plan.outcome}; thin, the exact shortest path."
+    if len(plan.paths) > 1:
+        before = [f"dashed, those after {plan.stages[-2].name}"] if len(plan.stages) > 1 else []
+        parts = ["the paths", *before, "the sharpest turn from near"]
+        parts += ["the best sum by iteration"] if plan.history is not None else []
+        return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest paths."
     parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
     parts += ["its sharpest turn from near"]
     parts += ["length and arrivals by iteration"] if plan.history is not None else []

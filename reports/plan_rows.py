@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, cast
 
 import msgspec
 
 from campaigns.claims import Claim
-from campaigns.plan_statistics import PlannedBy, Spread
+from campaigns.plan_statistics import PlannedBy, PlanStatistics, Spread
 from planners.planner import Planner
+from planners.scenario import Scenario
 from reports.json_result import Json
 from reports.quantity import number, text
 
@@ -30,6 +32,10 @@ def plan_row(one: PlannedBy, label: str) -> dict[str, Json]:
         "radius": _radius(one),
         "survivors": "" if told.survivors is None else f"{number(told.survivors)} of {told.population}",
         "converged": "" if told.converged is None else f"{number(told.converged)} of {told.iterations}",
+        "longest": _lines(told.longest, 1.0 / unit, _DIGITS),
+        "corner": "" if told.turn_max_deg is None else f"{number(told.turn_max_deg)}°",
+        "over": _over(one),
+        "stages": _stages(told, unit),
         "claims": [_claim_row(claim) for claim in one.claims],
     }
 
@@ -63,10 +69,45 @@ def yardsticks(plans: Sequence[PlannedBy]) -> str:
     )
 
 
+def is_fleet(scenario: Scenario) -> bool:
+    """Whether it is for several vehicles, or has several targets."""
+    return max(len(scenario.starts), len(scenario.goals)) > 1
+
+
+def limits(scenario: Scenario) -> str:
+    """What its paths are held to: "range limit 424 map units a path, turn limit 45° at a vertex"; "" for no limit."""
+    parts = []
+    if scenario.max_range is not None:
+        parts.append(f"range limit {number(scenario.max_range / scenario.unit, _DIGITS)} map units a path")
+    if scenario.max_turn_angle is not None:
+        parts.append(f"turn limit {number(math.degrees(scenario.max_turn_angle))}° at a vertex")
+    return ", ".join(parts)
+
+
+def _over(one: PlannedBy) -> list[Json]:
+    """Which of the scenario's limits its worst plan exceeds: "range", "turn"."""
+    told, scenario, found = one.statistics, one.scenario, []
+    if told.longest and scenario.max_range is not None and told.longest.worst > scenario.max_range:
+        found.append("range")
+    limit = scenario.max_turn_angle
+    if told.turn_max_deg is not None and limit is not None and told.turn_max_deg > math.degrees(limit):
+        found.append("turn")
+    return [*found]
+
+
+def _stages(told: PlanStatistics, unit: float) -> str:
+    """ "Voronoi roadmap 741.2 → line of sight 702.3": the sum after each step, in map units; "" for one step."""
+    if len(told.stages) < 2:
+        return ""
+    steps = " → ".join(f"{name} {number(length / unit, 4)}" for name, length in told.stages)
+    return f"{steps} map units{', medians' if told.found > 1 else ''}"
+
+
 def _claim_row(claim: Claim) -> dict[str, Json]:
     return {
         "source": claim.source,
         "length": "" if claim.length is None else number(claim.length, _DIGITS),
+        "longest": "" if claim.longest is None else number(claim.longest, _DIGITS),
         "turn": "" if claim.turn is None else f"{number(claim.turn)}°",
         "survivors": "" if claim.survivors is None else "{} of {}".format(*claim.survivors),
         "converged": "" if claim.iterations is None else f"{claim.iterations}",

@@ -27,9 +27,10 @@ def print_facts(facts: PlanFacts, console: Console | None = None) -> None:
 
 def rows(facts: PlanFacts) -> list[tuple[str, str, str]]:
     """What is told, each with its value and that in map units, "" where it has none."""
+    fleet = len(facts.lengths) > 1
     lengths = [
-        ("length", facts.length),
-        ("exact shortest path", facts.exact_length),
+        ("sum of the paths" if fleet else "length", facts.length),
+        ("exact shortest sum" if fleet else "exact shortest path", facts.exact_length),
         ("before smoothing", facts.polyline_length),
         ("smallest radius", facts.smallest_radius),
         ("clearance", facts.clearance_min),
@@ -42,6 +43,7 @@ def rows(facts: PlanFacts) -> list[tuple[str, str, str]]:
     ratio = facts.length_ratio
     if ratio is not None:
         found.insert(2, ("length over it", number(ratio, 5), ""))
+    found += _fleet(facts) if fleet else []
     turns = [
         ("largest turn as drawn", facts.turn_angle_max_deg),
         ("    every map unit", facts.turn_angle_1_unit_deg),
@@ -51,13 +53,21 @@ def rows(facts: PlanFacts) -> list[tuple[str, str, str]]:
     return found + _search(facts)
 
 
+def _fleet(facts: PlanFacts) -> list[tuple[str, str, str]]:
+    """Each path, and the sum after each step."""
+    lengths = [(f"path {i}", length) for i, length in enumerate(facts.lengths, start=1)]
+    lengths += [(f"after {name}", length) for name, length in facts.stages]
+    return [(name, text(length, "m", 4), number(length / facts.map_unit, _UNIT_DIGITS)) for name, length in lengths]
+
+
 def _search(facts: PlanFacts) -> list[tuple[str, str, str]]:
     if not facts.survivors:
         return []
     converged = "never" if facts.converged is None else f"iteration {facts.converged}"
+    arrived = "within all limits in the last" if facts.evaluations else "arrived in the last"
     return [
         ("iterations", str(len(facts.survivors)), ""),
-        ("arrived in the last", f"{facts.survivors[-1]} of {facts.population}", ""),
+        (arrived, f"{facts.survivors[-1]} of {facts.population}", ""),
         ("within 1 % of the best", converged, ""),
     ]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,12 +32,15 @@ _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
 
 
 def sharpest(plan: Plan) -> tuple[Floats, float]:
-    """The middle (2,) [m] of the sharpest turn of the first path, and its angle [rad].
+    """The middle (2,) [m] of the sharpest turn of all paths, and its angle [rad].
 
     Of a path with corners that is a corner, of one with curves the curve that goes farthest round among the sharpest.
     """
-    path = plan.paths[0]
-    if plan.smallest_radius is None:
+    return max((_sharpest(path, plan.smallest_radius is None) for path in plan.paths), key=lambda found: found[1])
+
+
+def _sharpest(path: Path, cornered: bool) -> tuple[Floats, float]:
+    if cornered:
         corner = int(np.argmax(np.abs(path.turns)))
         return path.xy[corner], abs(float(path.turns[corner]))
     fine = path.resample(path.length / _STEPS)
@@ -52,18 +56,20 @@ def sharpest(plan: Plan) -> tuple[Floats, float]:
 
 
 def turn_view(scenario: Scenario, plan: Plan) -> Extent:
-    """What to show of the sharpest turn of the first path: so much that the corner it cuts can be seen."""
-    path, larger = plan.paths[0], max(scenario.size)
+    """What to show of the sharpest turn of all paths: so much that the corner it cuts can be seen."""
+    larger = max(scenario.size)
     place, _ = sharpest(plan)
     cut = 0.0
     if plan.polylines:
-        near = path.xy[np.hypot(*(path.xy - place).T) <= _FARTHEST * larger]
-        cut = float(shapely.distance(shapely.points(near), shapely.LineString(plan.polylines[0].xy)).max(initial=0.0))
+        xy = np.vstack([path.xy for path in plan.paths])
+        near = xy[np.hypot(*(xy - place).T) <= _FARTHEST * larger]
+        lines = shapely.MultiLineString([polyline.xy for polyline in plan.polylines])
+        cut = float(shapely.distance(shapely.points(near), lines).max(initial=0.0))
     half = min(max(_CUT * cut, _NEAREST * larger), _FARTHEST * larger)
     return Extent(*place, *place).grown(half)
 
 
-def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Path | None, name: str, colour: str) -> None:
+def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Sequence[Path], name: str, colour: str) -> None:
     """Draw it on `axes` in metres from it; the title has `name`."""
     width, height = axes.get_window_extent().size
     view = turn_view(scenario, plan).filled(width / height)
@@ -83,10 +89,10 @@ def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Path | None, na
     axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
 
 
-def draw_exact(axes: Axes, exact: Path | None) -> None:
-    """The exact shortest path as the yardstick, where there is one."""
-    if exact is not None:
-        axes.plot(*exact.xy.T, color=INK, linewidth=0.7, zorder=4.0)
+def draw_exact(axes: Axes, exact: Sequence[Path]) -> None:
+    """The exact shortest paths as the yardstick."""
+    for path in exact:
+        axes.plot(*path.xy.T, color=INK, linewidth=0.7, zorder=4.0)
 
 
 def draw_lines(axes: Axes, plan: Plan, colour: str, corners: bool = False) -> None:

@@ -19,7 +19,7 @@ _GROUPS = {
         "cross_track", "corridor", "completion", "heading_error", "course_error", "altitude_error", "speed_error",
         "frechet", "corner_cut", "overshoot", "turn_angle_max_flown", "track_length", "length_ratio",
     ),
-    SURROUNDINGS: ("clearance", "incursion", "separation", "range"),
+    SURROUNDINGS: ("clearance", "incursion", "separation", "departure", "range"),
     VEHICLE: ("bank", "load_factor", "stall", "control_saturation", "steering", "lateral", "friction"),
     PLAN: ("path_length", "turn_"),
 }  # fmt: skip
@@ -29,7 +29,7 @@ _GROUPS = {
 class Row:
     """One metric as text: `at` where along the path and `when` it was worst, or "" for a metric without a place.
 
-    `limit` and `margin` are for a requirement; elsewhere they are "" and `met` is None.
+    `limit` and `margin` are for a requirement; elsewhere they are "" and `met` is None. `who` is which of a fleet.
     """
 
     group: str
@@ -41,6 +41,7 @@ class Row:
     when: str
     met: bool | None
     note: str
+    who: str
 
 
 def rows(outcome: Outcome) -> list[Row]:
@@ -79,12 +80,15 @@ def _required(margin: Margin) -> Row:
         *_place(metric),
         margin.met,
         metric.note,
+        metric.who,
     )
 
 
 def _plain(metric: Metric) -> Row:
     value = text(metric.value, metric.unit)
-    return Row(_group(metric.name), metric.name, _with_g(value, metric), "", "", *_place(metric), None, metric.note)
+    return Row(
+        _group(metric.name), metric.name, _with_g(value, metric), "", "", *_place(metric), None, metric.note, metric.who
+    )
 
 
 def _place(metric: Metric) -> tuple[str, str]:

@@ -71,4 +71,4 @@ def _reason(step: Step) -> str:
     metric = Metric(step.metric, value, step.si_unit, s=s, valid=step.value is not None, note=step.reason)
     sign = 1.0 if step.comparison == "<=" else -1.0
     margin = Margin(requirement, metric, sign * (limit - value))
-    return missed(margin) + place(margin)
+    return missed(margin) + place(margin, "")

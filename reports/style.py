@@ -31,6 +31,7 @@ GROUND_COLOUR, OBSTACLE, OBSTACLE_EDGE = "#f6f8fa", "#c3cad2", "#77828e"
 BLUE, SKY, GREEN, VERMILION, ORANGE, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#d55e00", "#e69f00", "#cc79a7"
 CORRIDOR, TIGHT, LIMIT, FENCE = SKY, PURPLE, VERMILION, GREEN
 PASS_BADGE, FAIL_BADGE = "#00735a", "#b34700"  # Okabe and Ito's green and vermilion, darkened for white type
+MEMBERS = (BLUE, ORANGE, GREEN, PURPLE, SKY)  # of the vehicles of a fleet, over and over; vermilion is for alarms
 MARK = {True: VERMILION, False: PASS_BADGE}  # of the one point that a figure marks: is it an alarm?
 
 DASHES, FENCE_DASHES = (0, (4, 2.5)), (0, (5, 1.5, 1, 1.5))

@@ -11,6 +11,7 @@ from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
 
+from reports.fleet_words import GROUND
 from reports.infeasible import SteepRow, TightRow, steep_rows, tight_rows
 from reports.rows import REQUIREMENTS, Row, rows, unmeasured
 from reports.words import reason, setting, verdict_words
@@ -45,7 +46,8 @@ def table(outcome: Outcome) -> Table:
     """The metrics: requirements first with limit and margin, then the others group by group."""
     made = _empty(outcome.name, 0)
     made.add_column("metric", no_wrap=True)
-    for column in ("value", "limit", "margin", "at", "time"):
+    whose = [("vehicle" if outcome.limits.kind == GROUND else "aircraft")] if outcome.fleet else []
+    for column in ("value", "limit", "margin", "at", "time", *whose):
         made.add_column(column, justify="right", overflow="fold")
     group = REQUIREMENTS
     for row in rows(outcome):
@@ -53,7 +55,7 @@ def table(outcome: Outcome) -> Table:
             group = row.group
             made.add_section()
             made.add_row(Text(group, style="bold dim"))
-        made.add_row(*_cells(row))
+        made.add_row(*_cells(row), *[Text(row.who, style="dim") for _ in whose])
     return made
 
 

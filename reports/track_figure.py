@@ -12,9 +12,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from reports.extent import Extent, around, whole
+from reports.fleet_words import member_name
 from reports.focus import Focus, focus
 from reports.header import draw_header, head_of, header_height
-from reports.layout import Box, Layout, layout, page_layout
+from reports.layout import Box, Layout, layout, member_layout, page_layout
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
 from reports.near_panel import draw_near
@@ -33,9 +34,9 @@ if TYPE_CHECKING:
 def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False, trial: str = "") -> None:
     """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    `page` makes it lower, and leaves name, verdict and reason to the page it stands on; `trial` says which trial of its
-    case it is, where there are several. The same outcome gives the same bytes. Raises `InputError` where the folder
-    does not exist.
+    Of a fleet it shows the member that decides. `page` makes it lower, and leaves name, verdict and reason to the page
+    it stands on, and the map of a fleet to its own figure; `trial` says which trial of its case it is, where there are
+    several. The same outcome gives the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
         save(track_figure(outcome, page, trial), file)
@@ -45,12 +46,21 @@ def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figur
     """The figure itself; to be called, and saved, within `style.style()`."""
     view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
     aspect, count = view.width / view.height, len(shown)
-    head = head_of(outcome, trial)
-    plan = page_layout(aspect, count) if page else layout(aspect, count, header_height(head))
+    head = head_of(outcome, trial, member_name(outcome))
+    if page:
+        plan = member_layout(count) if outcome.fleet else page_layout(aspect, count)
+    else:
+        plan = layout(aspect, count, header_height(head))
     figure = new_figure(plan.height)
     if not page:
         draw_header(figure, head)
-    _draw_maps(figure, outcome, marked, view, plan)
+    if plan.map is not None:
+        view = _draw_map(figure, outcome, marked, view, plan.map)
+    if marked is not None:
+        near = around(outcome, marked, view).filled(plan.near.width / plan.near.height)
+        if plan.map is not None:
+            _frame(figure.axes[0], near)
+        draw_near(_axes(figure, plan.near), outcome, marked, near)
     _draw_key(figure, outcome, marked, plan)
     scale, unit = length_unit(outcome.path.length)
     for panel, box, lowest in zip(shown, plan.series, plan.lowest, strict=True):
@@ -66,22 +76,24 @@ def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figur
     return figure
 
 
-def _draw_maps(figure: Figure, outcome: Outcome, marked: Focus | None, view: Extent, plan: Layout) -> None:
-    axes, view = _axes(figure, plan.map), view.filled(plan.map.width / plan.map.height)
+def _draw_map(figure: Figure, outcome: Outcome, marked: Focus | None, view: Extent, room: Box) -> Extent:
+    """Draw the map in `room`; returns what it shows."""
+    axes, view = _axes(figure, room), view.filled(room.width / room.height)
     draw_map(axes, outcome, view, marked)
     scale, unit = length_unit(view.larger)
-    ticks(axes.xaxis, plan.map.width / BROAD, scale)
-    ticks(axes.yaxis, plan.map.height / HIGH, scale)
+    ticks(axes.xaxis, room.width / BROAD, scale)
+    ticks(axes.yaxis, room.height / HIGH, scale)
     axes.set(xlabel=f"east [{unit}]", ylabel=f"north [{unit}]")
     if outcome.conditions.wind.speed > 0.0:
         draw_wind(axes, outcome, view)
-    if marked is None:
-        return
-    near = around(outcome, marked, view).filled(plan.near.width / plan.near.height)
+    return view
+
+
+def _frame(axes: Axes, near: Extent) -> None:
+    """Frame on the map what is shown from near."""
     frame = Rectangle((near.x_min, near.y_min), near.width, near.height)
     frame.set(facecolor="none", edgecolor=INK, linewidth=0.7, zorder=6)
     axes.add_patch(frame)
-    draw_near(_axes(figure, plan.near), outcome, marked, near)
 
 
 def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layout) -> None:
@@ -102,8 +114,8 @@ def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layo
     bar.set_title("distance from the path [m]", loc="left", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
     left, top = (box.left + 2.1, box.top - 0.14) if beside else (box.left, box.top + 0.38)
     figure.legend(
-        handles=legend_entries(outcome, marked), loc="upper left", ncols=plan.key_columns, columnspacing=1.4,
-        handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
+        handles=legend_entries(outcome, marked, near_only=plan.map is None), loc="upper left", ncols=plan.key_columns,
+        columnspacing=1.4, handletextpad=0.6, labelspacing=0.45, borderaxespad=0.0,
         bbox_to_anchor=(left / WIDTH, 1.0 - top / plan.height),
     )  # fmt: skip
 

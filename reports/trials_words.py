@@ -7,9 +7,10 @@ from pathlib import Path
 from campaigns.conditions import known_wind
 from campaigns.summary import ERROR, CaseResult
 from reports.campaign_words import HEADLINE, no_path_words, share_words
+from reports.fleet_words import GROUND, vehicle_words
 from reports.names import spoken
 from reports.quantity import number, text
-from reports.words import GROUND, closest, missed, place, speed_words, wind_words
+from reports.words import closest, missed, place, speed_words, wind_words
 from tracking.outcome import Outcome
 from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
 
@@ -35,7 +36,7 @@ def case_conditions(result: CaseResult, outcome: Outcome) -> tuple[str, ...]:
 def case_setting(result: CaseResult, outcome: Outcome) -> str:
     """Vehicle, controller, speed, wind and number of trials."""
     trials = f"{result.case.trials} trials{', each on a plan of its own' if result.case.replan else ''}"
-    return " · ".join([outcome.vehicle, outcome.controller, *case_conditions(result, outcome), trials])
+    return " · ".join([vehicle_words(outcome), outcome.controller, *case_conditions(result, outcome), trials])
 
 
 def planned_setting(result: CaseResult) -> tuple[str, str, str]:
@@ -84,4 +85,4 @@ def worst_words(result: CaseResult, outcome: Outcome) -> str:
         return worst_name(result)
     if margin.met:
         return f"{worst_name(result)}, trackworthy; closest: {closest(margin)}"
-    return f"{worst_name(result)}, not trackworthy: {missed(margin)}{place(margin)}"
+    return f"{worst_name(result)}, not trackworthy: {missed(margin)}{place(margin, outcome.limits.kind)}"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.patches import FancyArrowPatch
 
+from planners.kernel import Floats
 from reports.extent import Extent, flown
 from reports.quantity import text
 from reports.style import INK, PAPER, Look
@@ -15,6 +16,7 @@ from tracking.outcome import Outcome
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+_AT_ENDS = 200
 _ARROW, _WIDTH, _HEIGHT = 26.0, 52.0, 48.0  # [pt] the arrow's length, and the mark's whole box
 
 
@@ -38,9 +40,9 @@ def draw_wind(axes: Axes, outcome: Outcome, view: Extent) -> None:
 
 
 def _emptiest(outcome: Outcome, view: Extent, width: float, height: float) -> tuple[float, float]:
-    """The lower left, in shares of the axes, of the corner that holds the least of path and track."""
-    spacing = max(outcome.path.length / 2000, 1e-3)
-    xy = np.concatenate([outcome.path.resample(spacing).xy, flown(outcome)])
+    """The lower left, in shares of the axes, of the corner that holds the least of paths and tracks."""
+    runs = outcome.fleet.members if outcome.fleet else (outcome,)
+    xy = np.concatenate([part for run in runs for part in (_spaced(run), flown(run))])
     xy = (xy - [view.x_min, view.y_min]) / [view.width, view.height]
     corners = [(1 - width, 1 - height), (0.0, 1 - height), (1 - width, 0.0), (0.0, 0.0)]
 
@@ -48,3 +50,9 @@ def _emptiest(outcome: Outcome, view: Extent, width: float, height: float) -> tu
         return int(np.sum(((xy >= corner) & (xy <= np.add(corner, (width, height)))).all(axis=1)))
 
     return min(corners, key=crowd)
+
+
+def _spaced(run: Outcome) -> Floats:
+    """Points (N, 2) [m] along the path, more of them at its ends, where its marks are."""
+    xy = run.path.resample(max(run.path.length / 2000, 1e-3)).xy
+    return np.concatenate([xy, np.repeat(xy[[0, -1]], _AT_ENDS, axis=0)])

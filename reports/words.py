@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import math
 
+from reports.fleet_words import GROUND, called, departure_words, ended_words, remedy_words, vehicle_words
 from reports.names import spoken
 from reports.quantity import pair, text
 from sim.wind import Wind
 from tracking.feasibility import Slope, Stretch
-from tracking.loop import COMPLETED
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 from tracking.verdict import NOT_TRACKWORTHY
 
-GROUND = "ground"
 _KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
 _BY_SLOPES = ("altitude_", "load_factor_", "stall_")
 # Metrics that a turn too tight cannot explain, by the start of their name.
-_NOT_BY_TURNS = ("speed_", "range_", "separation_", "path_", "stall_")
+_NOT_BY_TURNS = ("speed_", "range_", "separation_", "departure_", "path_", "stall_")
 
 
 def sentence(outcome: Outcome) -> str:
@@ -36,13 +35,14 @@ def verdict_words(outcome: Outcome) -> str:
 
 def setting(outcome: Outcome) -> str:
     """Vehicle, controller, speed and wind: "c172x · lqr · 55 m/s · wind 10 m/s from 270°"."""
-    return " · ".join([outcome.vehicle, outcome.controller, *conditions(outcome)])
+    return " · ".join([vehicle_words(outcome), outcome.controller, *conditions(outcome)])
 
 
 def conditions(outcome: Outcome) -> tuple[str, ...]:
-    """Speed, and wind where it matters: "55 m/s", "no wind"."""
-    speed, wind = speed_words(outcome), outcome.conditions.wind
-    return (speed, wind_words(wind)) if outcome.limits.kind != GROUND or wind.speed > 0.0 else (speed,)
+    """Speed, wind where it matters, and the departures of a fleet that does not leave together: "55 m/s", "no wind"."""
+    wind, late = outcome.conditions.wind, departure_words(outcome.fleet)
+    blown = outcome.limits.kind != GROUND or wind.speed > 0.0
+    return (speed_words(outcome), *([wind_words(wind)] if blown else []), *([late] if late else []))
 
 
 def speed_words(outcome: Outcome) -> str:
@@ -61,14 +61,17 @@ def reason(outcome: Outcome) -> str:
     margin = outcome.verdict.decisive
     if margin is None:
         return "no requirement was stated"
+    kind = outcome.limits.kind
     if margin.met:
-        return f"every requirement met; closest: {closest(margin)}"
+        whose = called(margin.metric.who, kind)
+        return f"every requirement met; closest: {closest(margin)}{f', {whose}' if whose else ''}"
     others = sum(not other.met for other in outcome.verdict.margins) - 1
-    parts = [missed(margin) + place(margin)]
+    parts = [missed(margin) + place(margin, kind)]
     if why := cause(outcome, margin):
         parts[0] += f": {why}"
-    if outcome.track.ended != COMPLETED:
-        parts.append(f"the run ended early: {outcome.track.ended}")
+    parts += ended_words(outcome)
+    if remedy := remedy_words(outcome, said=margin.metric.name == "separation_min"):
+        parts.append(remedy)
     if others:
         parts.append(f"{others} more {'requirement' if others == 1 else 'requirements'} missed")
     return "; ".join(parts)
@@ -90,11 +93,16 @@ def missed(margin: Margin) -> str:
     return f"{spoken(margin.metric.name)} {value} {'>' if margin.requirement.comparison == '<=' else '<'} {limit}"
 
 
-def place(margin: Margin) -> str:
-    """Where it was worst, " at 3.41 km", or nothing for a metric without a place."""
-    if math.isfinite(margin.metric.s):
-        return f" at {text(margin.metric.s, 'm')}"
-    return f" at {text(margin.metric.t, 's')}" if math.isfinite(margin.metric.t) else ""
+def place(margin: Margin, kind: str) -> str:
+    """Where it was worst, " at 3.41 km", or nothing for a metric without a place.
+
+    Of a fleet of vehicles of that `kind` also whose: " at 3.41 km of aircraft 2", ", aircraft 1 and 3 at 210 s".
+    """
+    metric, whose = margin.metric, called(margin.metric.who, kind)
+    if math.isfinite(metric.s):
+        return f" at {text(metric.s, 'm')}{f' of {whose}' if whose else ''}"
+    when = f" at {text(metric.t, 's')}" if math.isfinite(metric.t) else ""
+    return f", {whose}{when}" if whose else when
 
 
 def cause(outcome: Outcome, margin: Margin) -> str:

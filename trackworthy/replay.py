@@ -19,6 +19,7 @@ def replay_trial(campaign: Campaign, cases: Sequence[ReadyCase], trial: int, fol
     from campaigns.execute import planned
     from campaigns.runner import keep_track, tasks_of
     from planners.errors import InputError
+    from reports.fleet_figure import save_fleet_figure
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from trackworthy.streams import chatter_to_stderr, tell
@@ -41,8 +42,12 @@ def replay_trial(campaign: Campaign, cases: Sequence[ReadyCase], trial: int, fol
     keep_track(folder, task, outcome)
     picture = folder / f"trial-{trial}.png"
     save_track_figure(outcome, picture)
+    pictures = [picture]
+    if outcome.fleet is not None:
+        pictures.append(folder / f"trial-{trial}-fleet.png")
+        save_fleet_figure(outcome, pictures[1])
     print_outcome(outcome)
-    tell([f"saved {picture} and its track in {folder / 'tracks'}"])
+    tell([f"saved {' and '.join(map(str, pictures))}, and its track in {folder / 'tracks'}"])
     return 0 if outcome.verdict.passed else 1
 
 

@@ -100,6 +100,7 @@ def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
 def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
     """The report and its figures: the plans, of each case the worst trial, and all trials where there are several."""
     from campaigns.campaign import replay_command
+    from reports.fleet_figure import save_fleet_figure
     from reports.pdf import write_pdf
     from reports.pdf_plans import plan_sections
     from reports.slug import slug
@@ -116,7 +117,10 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
         if outcome is None or result.worst is None:
             continue
         stem = f"{result.number}-{slug(case.name)}"
-        save_track_figure(outcome, figures / f"{stem}.png", trial=worst_name(result) if case.trials > 1 else "")
+        which = worst_name(result) if case.trials > 1 else ""
+        save_track_figure(outcome, figures / f"{stem}.png", trial=which)
+        if outcome.fleet is not None:
+            save_fleet_figure(outcome, figures / f"{stem}-fleet.png", trial=which)
         if result.statistics.band is not None:
             save_trials_figure(result, outcome, figures / f"{stem}-trials.png")
         outcomes.append(outcome)

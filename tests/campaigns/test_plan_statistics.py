@@ -6,7 +6,7 @@ import math
 import pytest
 
 from campaigns.campaign import load_campaign
-from campaigns.plan_statistics import FAILED, statistics_of
+from campaigns.plan_statistics import FAILED, Spread, statistics_of
 from planners.errors import InputError
 from planners.facts import PlanFacts
 from planners.planner import NO_PATH, NOT_FOUND
@@ -121,6 +121,25 @@ def test_the_same_bytes_resumed_and_from_the_folder_alone(tmp_path):
     assert load_campaign(str(again / "campaign.toml")).note == "a note"
 
 
+def test_a_claim_holds_on_the_scenario_it_names(tmp_path):
+    there = CLAIM.replace('source = "paper 0"', 'source = "there"\nscenario = "other"\nlongest = 60.0')
+    (tmp_path / "other.toml").write_text(YARD.replace("yard", "other"))
+    other = CASE.replace('name = "two"\nscenario = "yard.toml"', 'name = "two"\nscenario = "other.toml"')
+    assert other != CASE
+    first, second = run(tmp_path, other + CLAIM + there).plans
+    assert [claim.source for claim in first.claims] == ["paper 0"]
+    assert [(claim.source, claim.longest) for claim in second.claims] == [("there", 60.0)]
+
+
+def test_fleets_are_summed_up_with_their_longest_path_and_their_steps():
+    one = facts(1, 100.0, lengths=(60.0, 40.0), longest=60.0, turn_angle_max_deg=10.0, stages=(("a", 120.0),))
+    two = facts(2, 104.0, lengths=(58.0, 46.0), longest=58.0, turn_angle_max_deg=12.0, stages=(("a", 124.0),))
+    told = statistics_of([one, two, None])
+    assert (told.paths, told.longest, told.turn_max_deg) == (2, Spread(59.0, 60.0), 12.0)
+    assert told.stages == (("a", 122.0),)
+    assert statistics_of([facts(1, 5.0, lengths=(5.0,))]).paths == 1
+
+
 def test_another_claim_is_the_same_campaign(tmp_path):
     run(tmp_path, CASE + CLAIM)
     assert run(tmp_path, CASE + CLAIM.replace("56.6", "57")).plans[0].claims[0].length == 57.0
@@ -137,12 +156,13 @@ def test_a_scenario_without_a_way_is_told_so(tmp_path):
     [
         (CLAIM.replace('"exact"', '"exat"'), "claim[0]: no case plans with 'exat'; did you mean 'exact'?"),
         (CLAIM + CLAIM.replace('"exact"', '"aco-basic"'), "claim[1]: no case plans with 'aco-basic'; use exact"),
+        (CLAIM.replace("source", 'scenario = "yart"\nsource'), "claim[0]: no case plans on 'yart' with exact; did you"),
         (CLAIM.replace("length", "lenght"), "claim[0]: unknown key 'lenght'; did you mean 'length'?"),
         (CLAIM.replace('source = "paper 0"', ""), "claim[0]: 'source' is missing; add source = ..."),
         (CLAIM.replace("turn = 0", "turn = 181"), "claim[0].turn: "),
         (CLAIM.replace("56.6", "-1"), "claim[0].length: "),
         (CLAIM.replace("[1, 1]", "[1]"), "claim[0].survivors: "),
-        (CLAIM.replace("plan =", "plot ="), "claim[0].beside: unknown key 'plot'; use plan, ants, comparison"),
+        (CLAIM.replace("plan =", "plot ="), "claim[0].beside: unknown key 'plot'; use plan, ants, comparison, roadmap"),
     ],
 )
 def test_a_wrong_claim_names_file_and_place(tmp_path, claim, told):

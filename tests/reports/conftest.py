@@ -13,6 +13,7 @@ from planners.path import Path
 from sim.vehicle import Conditions, Limits
 from sim.wind import Wind
 from tracking.feasibility import Feasibility, Slope, Turn
+from tracking.fleet import fleet_outcome
 from tracking.metric import Metric, Requirement
 from tracking.outcome import Outcome
 from tracking.track import GUIDANCE_COLUMNS, STATE_COLUMNS, Track
@@ -181,3 +182,36 @@ def sharp_yard():
 @pytest.fixture
 def steep_leg():
     return Slope(9e3, 17e3, 0.12, 0.08)
+
+
+def plane_on(points, name="path", speed=55.0):
+    """A plane that flew the polyline through `points` [m], alone."""
+    path = Path(np.array(points, float), name=name)
+    obstacles = Map(circles=(Circle(2000.0, 3500.0, 400.0),), bounds=(-500.0, -500.0, 8500.0, 8500.0))
+    return outcome_of(path, obstacles, PLANE, drive(path, PLANE, speed, 0.2, 180.0), name=name)
+
+
+def make_fleet(name="fleet", departures="together", required=1000.0, require=()):
+    """Three planes: the first two meet in the middle, the third keeps away and turns too sharply."""
+    members = [
+        plane_on([(0, 0), (8000, 8000)], "aircraft 1 to target 1"),
+        plane_on([(0, 8000), (8000, 0)], "aircraft 2 to target 2"),
+        plane_on([(7500, 0), (7500, 2500), (8000, 2600), (8000, 5000)], "aircraft 3 to target 3"),
+    ]
+    return fleet_outcome(name, members, departures, required, require)
+
+
+@pytest.fixture(scope="session")
+def fleet():
+    return make_fleet()
+
+
+@pytest.fixture(scope="session")
+def apart_fleet():
+    return make_fleet("apart", "separated")
+
+
+@pytest.fixture(scope="session")
+def plane():
+    """Makes a plane that flew a polyline alone."""
+    return plane_on

@@ -72,17 +72,17 @@ def spaced(turn, count):
 
 def test_the_worst_turns_are_listed_along_the_path(route):
     tight = dataclasses.replace(route, feasibility=spaced(route.feasibility.tight[0], 50))
-    told = case_data(tight, "f.svg", "")
+    told = case_data(tight, "f.svg", "", "")
     assert told["tight_count"] == 50
     assert [row["available"] for row in told["tight"]] == ["6 m", "5 m", "4 m", "3 m", "2 m", "1 m"]
 
 
 def test_notes_say_their_file_once_and_are_no_more_than_a_few(route):
-    told = case_data(dataclasses.replace(route, notes=tuple(f"a.plan: note {i}" for i in range(9))), "f.svg", "")
+    told = case_data(dataclasses.replace(route, notes=tuple(f"a.plan: note {i}" for i in range(9))), "f.svg", "", "")
     assert told["notes_about"] == "a.plan"
     assert told["notes_count"] == 9
     assert told["notes"] == [f"note {i}" for i in range(6)]
-    told = case_data(dataclasses.replace(route, notes=("a.plan: x", "b.plan: y")), "f.svg", "")
+    told = case_data(dataclasses.replace(route, notes=("a.plan: x", "b.plan: y")), "f.svg", "", "")
     assert (told["notes_about"], told["notes"]) == ("", ["a.plan: x", "b.plan: y"])
 
 

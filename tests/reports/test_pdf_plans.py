@@ -65,7 +65,7 @@ def test_a_row_has_median_and_worst_in_map_units_and_its_claim_below(nofly):
     assert (row["survivors"], row["converged"]) == ("99.5 of 100", "2 of 10")
     (claim,) = row["claims"]
     assert claim == {
-        "source": "paper 0, Table 2", "length": "1222.27", "turn": "8.72°", "survivors": "100 of 100",
+        "source": "paper 0, Table 2", "length": "1222.27", "longest": "", "turn": "8.72°", "survivors": "100 of 100",
         "converged": "10",
     }  # fmt: skip
 
@@ -74,7 +74,7 @@ def test_what_is_missing_is_left_out(nofly):
     row = plan_row(by(nofly, AcoImproved(), LOST, claims=(Claim(planner="aco-improved", source="x"),)), "aco-improved")
     assert (row["found"], row["missing"], row["converged"]) == ("0 of 3", "3 not found", "")
     assert row["length"] == row["ratio"] == row["turn"] == row["radius"] == []
-    assert row["claims"] == [{"source": "x", "length": "", "turn": "", "survivors": "", "converged": ""}]
+    assert row["claims"] == [{"source": "x", "length": "", "longest": "", "turn": "", "survivors": "", "converged": ""}]
 
 
 def test_a_path_with_corners_has_no_radius(nofly):
