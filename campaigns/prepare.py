@@ -170,6 +170,8 @@ def _metres(text: str | float | None, place: str) -> float | None:
         raise InputError(place, f"unknown unit {unit!r} in {text!r}", "give metres, or km")
     if place == "corridor" and value <= 0.0:
         raise InputError(place, f"{text} is not a half-width", "give one above 0")
+    if place == "separation" and value < 0.0:
+        raise InputError(place, f"{text} is no distance to keep", "give 0 or more")
     return value * (1000.0 if unit == "km" else 1.0)
 
 
