@@ -8,13 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planners.frame import WGS84_A
 from planners.kernel import Floats
-from planners.units import STANDARD_GRAVITY
 from reports.quantity import KILO
 from tracking.outcome import Outcome
 
-_EARTHLY = 0.05  # a frame whose planet differs in size from the Earth by less than this has the Earth's gravity
 _WIDE_TURN = 50.0  # [m] a vehicle whose tightest turn is wider has its curvature shown per kilometre
 
 
@@ -67,11 +64,8 @@ def _height(outcome: Outcome) -> Panel | None:
 
 
 def _bank(outcome: Outcome) -> Panel | None:
-    frame = outcome.track.frame or outcome.path.frame
-    earth = frame is None or abs(frame.a / WGS84_A - 1.0) < _EARTHLY
-    able = math.atan(outcome.limits.lateral_acceleration / STANDARD_GRAVITY) if earth else math.inf
-    limit = _stated(outcome, "bank_max") or able
-    return _own(outcome, "Bank", "°", "bank", math.degrees(1.0), limit if math.isfinite(limit) else None)
+    able = math.atan(outcome.limits.lateral_acceleration / outcome.limits.gravity)
+    return _own(outcome, "Bank", "°", "bank", math.degrees(1.0), _stated(outcome, "bank_max") or able)
 
 
 def _steering(outcome: Outcome) -> Panel | None:
