@@ -17,7 +17,7 @@ from tracking.feasibility import required_radius
 RESERVE = 1.2  # of the required radius: a turn at the limit leaves a controller nothing to steer with
 ARC_DEVIATION = 1 / 300  # of the corridor, within which arcs are drawn as points
 ENOUGH = 0.999  # of the radius wanted
-ONE_BY_ONE = 6  # corners that are told of each
+ONE_BY_ONE = 3  # corners that are told of each
 
 
 def fly_by_corners(

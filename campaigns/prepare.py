@@ -53,9 +53,7 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
     given = tuple(file.path for file in inputs.files) or planned
     if not given:
         raise InputError(case.name, "it has no path yet")
-    sources = [FilePath(name).name for name in (case.path, *case.others)]
-    if not inputs.files:
-        sources = [case.name] if len(given) == 1 else [f"{case.name}, {i + 1}" for i in range(len(given))]
+    sources = _sources(case, inputs, len(given))
     notes = [f"{source}: {note}" for source, file in zip(sources, inputs.files, strict=False) for note in file.notes]
     notes += remarks
     flown: list[Path] = []
@@ -84,6 +82,14 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
         separation=_metres(case.separation, "separation"),
     )
     return seeded(trial, case.conditions, 0)
+
+
+def _sources(case: Case, inputs: Inputs, count: int) -> list[str]:
+    """What each of `count` paths is called in notes: by its file, or if it is planned, by who is to follow it."""
+    if inputs.files:
+        return [FilePath(name).name for name in (case.path, *case.others)]
+    kind = "aircraft" if inputs.limits.kind == "fixed-wing" else "vehicle"
+    return [f"{kind} {number}" for number in range(1, count + 1)] if count > 1 else [case.name]
 
 
 def _to_fly(path: Path, case: Case, inputs: Inputs, first: Path | None) -> tuple[Path, list[str]]:

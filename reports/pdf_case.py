@@ -88,6 +88,8 @@ def _member(member: Outcome, number: int, departure: float) -> dict[str, Json]:
         "p95": _told(metrics, "cross_track_p95"),
         "largest": _told(metrics, "cross_track_max"),
         "clearance": _told(metrics, "clearance_min"),
+        "fuel": _told(metrics, "fuel_used"),
+        "fuel_range": _told(metrics, "fuel_range"),
         "why": reason(member),
     }
 
