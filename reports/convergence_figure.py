@@ -21,7 +21,7 @@ from reports.ticks import BROAD, HIGH, ticks
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_TOP, _HIGH, _BETWEEN, _FOUND, _LABELS, _BOTTOM = 0.56, 2.2, 0.34, 0.6, 0.44, 0.06  # [in]
+_TOP, _HIGH, _BETWEEN, _FOUND, _LABELS, _BOTTOM = 0.56, 1.9, 0.34, 0.6, 0.44, 0.06  # [in]
 LOW, HIGHEST = 10.0, 90.0  # [%] of the seeds between which the band lies
 _STEPS = 400  # along the axis
 _THOUSANDS = 20_000  # evaluations, from which on the axis counts thousands

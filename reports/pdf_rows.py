@@ -10,7 +10,7 @@ from reports.json_result import Json
 from reports.trials_words import case_conditions, headline_words, planned_setting, verdict_reason, worst_words
 from reports.words import conditions, reason
 from tracking.outcome import Outcome
-from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
+from tracking.verdict import EITHER, NOT_TRACKWORTHY, TRACKWORTHY
 
 
 def outcome_row(outcome: Outcome, page: int) -> dict[str, Json]:
@@ -23,7 +23,7 @@ def outcome_row(outcome: Outcome, page: int) -> dict[str, Json]:
         "conditions": list(conditions(outcome)),
         "verdict": verdict,
         "passed": outcome.verdict.passed,
-        "expected": outcome.verdict.expect != NOT_TRACKWORTHY,
+        "expected": _expected(outcome.verdict.passed, outcome.verdict.expect),
         "why": reason(outcome),
         "more": [],
         "page": page,
@@ -43,11 +43,17 @@ def result_row(result: CaseResult, outcome: Outcome | None, page: int | None) ->
         "conditions": [speed] if outcome is None else list(case_conditions(result, outcome)),
         "verdict": result.verdict,
         "passed": result.passed,
-        "expected": result.case.expect != NOT_TRACKWORTHY,
+        "expected": _expected(result.passed, result.case.expect),
         "why": verdict_reason(result),
         "more": [line for line in (*more, worst_words(result, outcome) if outcome else "") if line],
         "page": page,
     }
+
+
+def _expected(passed: bool, expect: str) -> str:
+    if expect == EITHER:
+        return "to be compared"
+    return "as expected" if passed else f"expected: {expect.replace('-', ' ')}"
 
 
 def summary_rows(
