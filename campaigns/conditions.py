@@ -18,6 +18,7 @@ from tracking.sensors import Sensors
 
 SEVERITIES = {"light": 3.0, "moderate": 4.0, "severe": 6.0}  # MIL-F-8785C: exceeded once in 1e2, 1e3, 1e5 encounters
 CONDITIONS_STREAM = 2  # of the trial's seed, apart from the simulator's and the sensors'
+LONGEST = 1e5  # [m] of turbulence: beyond, it does not change within a flight
 LARGEST = 1e6  # of any condition: beyond all that means something, and finite
 
 
@@ -148,4 +149,4 @@ def _gust(keys: GustKeys, rng: np.random.Generator) -> Gust:
 
 def _dryden(keys: DrydenKeys, rng: np.random.Generator) -> Dryden:
     sigma = drawn(keys.sigma, rng, "conditions.dryden.sigma", 0.0, LARGEST)
-    return Dryden(sigma, drawn(keys.length, rng, "conditions.dryden.length", 1.0, LARGEST))
+    return Dryden(sigma, drawn(keys.length, rng, "conditions.dryden.length", 1.0, LONGEST))

@@ -47,10 +47,10 @@ def _notes(corners: Sequence[Rounded]) -> list[str]:
     smallest = min((corner.radius for corner in corners if corner.radius > 0.0), default=0.0)
     most = max(corners, key=lambda corner: corner.cut)
     all_of_them = f"{len(corners)} corners: rounded with a radius of {smallest:.0f} m or more"
-    return [
-        f"{all_of_them}, cut by at most {most.cut:.1f} m, at {most.s / 1000:.2f} km",
-        *(_note(corner) for corner in (*drawn, *short)),
-    ]
+    told = [f"{all_of_them}, cut by at most {most.cut:.1f} m, at {most.s / 1000:.2f} km"]
+    if short:
+        told.append(f"{len(short)} of them with less than the {short[0].wanted:.0f} m wanted, the legs leave no more")
+    return ["; ".join(told), *(_note(corner) for corner in drawn)]
 
 
 def _note(corner: Rounded) -> str:

@@ -12,7 +12,7 @@ from planners.errors import InputError
 from planners.files import PathFile
 from planners.outside import OutsidePlanner
 from planners.planner import Planner
-from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario, scaled
+from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario, on_planet, scaled
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.planet import Planet, planet_of
 from sim.vehicle import Limits
@@ -23,7 +23,7 @@ from sim.vehicles import make_vehicle
 class Inputs:
     """`files` of a path each, none where a `planner` gives them; `vehicle` is its name, or all that its file says.
 
-    `planet` is None for the vehicle's own.
+    `planet` is where it flies, and where the scenario's map lies.
     """
 
     files: tuple[PathFile, ...]
@@ -31,7 +31,7 @@ class Inputs:
     scenario: Scenario | None
     vehicle: str | Aircraft
     limits: Limits
-    planet: Planet | None = None
+    planet: Planet
 
 
 @dataclass(slots=True)
@@ -41,7 +41,7 @@ class Reader:
     folder: FilePath
     _files: dict[str, PathFile] = field(default_factory=dict)
     _scenarios: dict[str, Scenario] = field(default_factory=dict)
-    _vehicles: dict[tuple[str, float, str], tuple[str | Aircraft, Limits]] = field(default_factory=dict)
+    _vehicles: dict[tuple[str, float, str], tuple[str | Aircraft, Limits, Planet]] = field(default_factory=dict)
 
     def read(self, case: Case) -> Inputs:
         """The inputs of `case`; raises `InputError` with the place of a fault."""
@@ -57,16 +57,14 @@ class Reader:
         for path in paths:
             if path not in self._files:
                 self._files[path] = files.read(self.folder / path)
-        scenario = self._scenario(case.scenario) if case.scenario else None
-        if case.unit is not None:
-            if scenario is None:
-                raise InputError("unit", "it has no scenario whose map units they are", "add scenario = ...")
-            scenario = self._rescaled(scenario, case.unit)
-        planet = case.planet or (scenario.planet if scenario is not None else "")
-        vehicle, limits = self._vehicle(case.vehicle, case.steering_hz, planet)
-        where = planet_of(planet) if planet else None
+        if case.unit is not None and not case.scenario:
+            raise InputError("unit", "it has no scenario whose map units they are", "add scenario = ...")
+        given = self._scenario(case.scenario) if case.scenario else None
+        named = case.planet or (given.planet if given is not None else "")
+        vehicle, limits, planet = self._vehicle(case.vehicle, case.steering_hz, named)
+        scenario = None if given is None else self._placed(given, case.unit, planet)
         read = tuple(self._files[path] for path in paths)
-        return Inputs(read, _planner(case), scenario, vehicle, limits, where)
+        return Inputs(read, _planner(case), scenario, vehicle, limits, planet)
 
     def _scenario(self, name: str) -> Scenario:
         if name not in self._scenarios:
@@ -74,19 +72,22 @@ class Reader:
             self._scenarios[name] = load_scenario(place)
         return self._scenarios[name]
 
-    def _rescaled(self, scenario: Scenario, unit: float) -> Scenario:
-        """One object for each scale, by which plans are told apart."""
-        key = f"{scenario.files[0]} {unit!r}"
+    def _placed(self, scenario: Scenario, unit: float | None, planet: Planet) -> Scenario:
+        """The scenario at that scale and on that planet: one object for each, by which plans are told apart."""
+        key = f"{scenario.files[0]} {unit!r} {planet.name}"
         if key not in self._scenarios:
-            self._scenarios[key] = scaled(scenario, unit)
+            if unit is not None:
+                scenario = scaled(scenario, unit)
+            self._scenarios[key] = on_planet(scenario, planet.a, planet.b)
         return self._scenarios[key]
 
-    def _vehicle(self, name: str, steering_hz: float, planet: str) -> tuple[str | Aircraft, Limits]:
+    def _vehicle(self, name: str, steering_hz: float, planet: str) -> tuple[str | Aircraft, Limits, Planet]:
+        """The vehicle on the planet of that name, "" for its own, its limits there, and where that is."""
         if (name, steering_hz, planet) not in self._vehicles:
             own_file = name not in ALL_AIRCRAFT and FilePath(name).suffix == ".toml"
             vehicle = load_aircraft(str(self.folder / name)) if own_file else name
             made = make_vehicle(vehicle, steering_hz, planet_of(planet) if planet else None)
-            self._vehicles[name, steering_hz, planet] = (vehicle, made.limits)
+            self._vehicles[name, steering_hz, planet] = (vehicle, made.limits, made.planet)
         return self._vehicles[name, steering_hz, planet]
 
 

@@ -24,6 +24,7 @@ from planners.path import Path
 from planners.scenario import Scenario
 from planners.typed_toml import suggestion
 from planners.units import parse_speed, split_quantity
+from sim.planet import EARTH
 from sim.vehicle import Limits
 from tracking.controllers import make_controller
 from tracking.requirements import split_requirement
@@ -34,10 +35,15 @@ def settled(case: Case, inputs: Inputs) -> tuple[Case, tuple[str, ...]]:
     """`case` with every quantity in SI units and every default written out, and notes on where they come from."""
     make_controller(case.controller)
     check_metric_names(case.require)
+    if case.conditions.turbulence and inputs.planet != EARTH:
+        what = f"its severities are those of the Earth, not of {inputs.planet.name}"
+        raise InputError("conditions.turbulence", what, "give dryden = { sigma = ..., length = ... }")
     speed, notes = _speed(case, inputs)
     altitude = _metres(case.altitude, "altitude")
     corridor = _metres(case.corridor, "corridor") or inputs.limits.corridor
-    name = case.name or FilePath(case.path or case.scenario or "").stem
+    name = case.name or FilePath(case.path or case.scenario or "").stem + (
+        f" and {len(case.others)} more" if case.others else ""
+    )
     case = msgspec.structs.replace(
         case, name=name, set=_settings(inputs), speed=speed, altitude=altitude, corridor=corridor
     )
@@ -62,6 +68,7 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
         notes += [f"{source}: {corner}" for corner in corners]
         flown.append(path)
     path, *others = flown
+    notes += _alone(case) if not others else []
     trial = Trial(
         name=case.name,
         path=path,
@@ -84,6 +91,12 @@ def assemble(case: Case, inputs: Inputs, planned: tuple[Path, ...] = ()) -> Tria
     return seeded(trial, case.conditions, 0)
 
 
+def _alone(case: Case) -> list[str]:
+    """A note where something is asked of a fleet, and there is none."""
+    asked = case.separation is not None or case.departures != "together"
+    return [f"{case.name}: separation, departures: not taken, it is one vehicle"] if asked else []
+
+
 def _sources(case: Case, inputs: Inputs, count: int) -> list[str]:
     """What each of `count` paths is called in notes: by its file, or if it is planned, by who is to follow it."""
     if inputs.files:
@@ -96,8 +109,7 @@ def _to_fly(path: Path, case: Case, inputs: Inputs, first: Path | None) -> tuple
     """A path of the settled case as it is to be flown, in the frame of the `first`, and what became of its corners."""
     if inputs.scenario is not None:
         path = in_frame_of(inputs.scenario, path)
-    if inputs.planet is not None:
-        path = on_ellipsoid(path, inputs.planet.a, inputs.planet.b)
+    path = on_ellipsoid(path, inputs.planet.a, inputs.planet.b)
     if first is not None:
         path = in_frame_with(first, path)
     if case.altitude is not None and path.z is not None:

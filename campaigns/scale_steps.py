@@ -24,7 +24,8 @@ class Step(msgspec.Struct, frozen=True, kw_only=True):
     """One scale, tried: its `unit` [m a map unit] and, where it is not trackworthy, why.
 
     That is a `reason` in words where nothing was flown; else the `metric` that decides, its `value` in `si_unit`, None
-    where it could not be measured, the `limit` on the side of `comparison`, and where along the path [m].
+    where it could not be measured, the `limit` on the side of `comparison`, where along the path [m], and `who` of a
+    fleet of vehicles of that `kind`.
     """
 
     unit: float
@@ -36,6 +37,8 @@ class Step(msgspec.Struct, frozen=True, kw_only=True):
     value: float | None = None
     limit: float | None = None
     s: float | None = None
+    who: str = ""
+    kind: str = ""
 
 
 class Scale(msgspec.Struct, frozen=True, kw_only=True):
@@ -120,6 +123,7 @@ def _judged(unit: float, outcome: Outcome) -> Step:
         unit=unit, trackworthy=False, reason="" if metric.valid else metric.note, metric=metric.name,
         si_unit=metric.unit, comparison=requirement.comparison, value=_finite(metric.value),
         limit=_finite(requirement.limit), s=_finite(metric.s),
+        who=metric.who, kind=outcome.limits.kind,
     )  # fmt: skip
 
 

@@ -109,7 +109,7 @@ def _with_paths(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenar
         longest=max(lengths),
         stages=tuple((stage.name, sum(path.length for path in stage.paths)) for stage in plan.stages),
         polyline_length=sum(path.length for path in plan.polylines or paths),
-        exact_length=exact_length(scenario, planner.clearance),
+        exact_length=exact_length(scenario, planner.clearance, len(paths)),
         turn_angle_max_deg=math.degrees(max(float(np.abs(path.turns).max()) for path in paths)),
         turn_angle_1_unit_deg=math.degrees(max(turn_angle(path, scenario.unit) for path in paths)),
         turn_angle_5_units_deg=math.degrees(max(turn_angle(path, 5.0 * scenario.unit) for path in paths)),
@@ -120,15 +120,16 @@ def _with_paths(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenar
 
 # A campaign compares many plans on a handful of maps.
 @lru_cache(maxsize=16)
-def exact_length(scenario: Scenario, clearance: float) -> float | None:
-    """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum; None where there is none or GEOS
-    fails.
+def exact_length(scenario: Scenario, clearance: float, count: int = 1) -> float | None:
+    """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum.
+
+    None where there is none, GEOS fails, or it serves not just `count` aircraft: sums over others do not compare.
     """
     try:
         plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
     except TrackworthyError:
         return None
-    return sum(path.length for path in plan.paths) if plan.paths else None
+    return sum(path.length for path in plan.paths) if len(plan.paths) == count else None
 
 
 def _known(values: Floats) -> tuple[float | None, ...]:

@@ -62,13 +62,16 @@ def unserved(scenario: Scenario, aircraft: set[int], why: str) -> tuple[str, ...
     left = [str(i + 1) for i in range(len(scenario.starts)) if i not in aircraft]
     if not left:
         return ()
-    return (f"aircraft {', '.join(left)} {'has' if len(left) == 1 else 'have'} no path: {why}",)
+    verb = "has" if len(left) == 1 else "have"
+    return (f"aircraft {', '.join(left)} {verb} no path: {why}; paths are numbered on without",)
 
 
 def why_unserved(scenario: Scenario) -> str:
     """The reason why an aircraft stays: too few targets, or none left that it reaches."""
     fewer = len(scenario.goals) < len(scenario.starts)
-    return "there are fewer targets than aircraft" if fewer else "no target that is left can be reached"
+    return (
+        "there are fewer targets than aircraft" if fewer else "no target that is left can be reached within the range"
+    )
 
 
 def joined(free: Any, ends: Floats, starts: int) -> Bools:

@@ -17,9 +17,9 @@ def in_frame_of(scenario: Scenario, path: Path) -> Path:
 
     Raises `InputError` for a path on the planet when the scenario has no origin there.
     """
-    if path.frame is None:
-        return path
     frame = scenario.map.frame
+    if path.frame is None or path.frame == frame:
+        return path
     if frame is None:
         raise InputError(
             scenario.name, "this scenario has no place on the planet, but the path has", "give it origin = [lat, lon]"

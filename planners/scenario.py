@@ -11,6 +11,7 @@ import numpy as np
 from planners.clearance import clearance
 from planners.errors import InputError
 from planners.footprint import Disc
+from planners.frame import Frame
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
 from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
@@ -140,6 +141,14 @@ def scaled(scenario: Scenario, unit: float) -> Scenario:
         unit=unit,
         max_range=None if scenario.max_range is None else scenario.max_range * factor,
     )
+
+
+def on_planet(scenario: Scenario, a: float, b: float) -> Scenario:
+    """The same scenario on the ellipsoid with semi-axes `a`, `b` [m]: its map keeps its metres, and its origin."""
+    frame = scenario.map.frame
+    if frame is None or (frame.a, frame.b) == (a, b):
+        return scenario
+    return replace(scenario, map=replace(scenario.map, frame=Frame(frame.lat, frame.lon, a, b)))
 
 
 def _scaled(circle: Circle, factor: float) -> Circle:

@@ -177,7 +177,7 @@ def _draw_search(axes: Axes, history: History, exact: Sequence[Path]) -> None:
     if least is not None:
         axes.axhline(least, color=INK, linewidth=0.7)
     low = min(float(known.min()), least or math.inf)
-    room = 0.08 * (float(known.max()) - low)
+    room = 0.08 * (float(known.max()) - low) or 0.01 * low
     axes.set_ylim(low - room, float(known.max()) + room)
     width, height = (side / axes.figure.dpi for side in axes.bbox.size)
     ticks(axes.yaxis, height / HIGH, scale)

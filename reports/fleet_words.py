@@ -36,15 +36,13 @@ def departure_words(fleet: Fleet | None) -> str:
 
 
 def ended_words(outcome: Outcome) -> list[str]:
-    """Which runs ended early, and why: "the run ended early: stall", "aircraft 3 ended early: stall"."""
-    if outcome.fleet is None:
-        ended = outcome.track.ended
-        return [f"the run ended early: {ended}"] if ended != COMPLETED else []
-    ends = [member.track.ended for member in outcome.fleet.members]
+    """Which runs ended early, why and where: "the run ended early: stall at 1.7 km", "aircraft 3 ended early ..."."""
+    fleet, kind = outcome.fleet, outcome.limits.kind
+    runs = {called(str(i), kind): one.track for i, one in enumerate(fleet.members, start=1)} if fleet else {}
     return [
-        f"{called(str(i), outcome.limits.kind)} ended early: {ended}"
-        for i, ended in enumerate(ends, start=1)
-        if ended != COMPLETED
+        f"{who} ended early: {track.ended} at {text(float(track['s'][-1]), 'm')}"
+        for who, track in (runs or {"the run": outcome.track}).items()
+        if track.ended != COMPLETED
     ]
 
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from importlib.metadata import PackageNotFoundError, version
 
-import numpy as np
-
 from planners.units import degrees
 from reports.infeasible import turned
 from reports.words import reason, sentence
 from tracking.feasibility import Feasibility, Slope, Stretch
 from tracking.metric import SCHEMA_VERSION, Margin, Metric
 from tracking.outcome import Fleet, Outcome
-from tracking.separation import Separation
+from tracking.separation import STEP, Separation, nearest
 from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
 
 # Of what is told of a run, that which is a fleet member's own
@@ -77,13 +75,10 @@ def _fleet(fleet: Fleet) -> Json:
 
 def _pair(apart: Separation, column: int) -> Json:
     """Two vehicles, their smallest distance and when that was; null where they were never under way together."""
-    distances = apart.distances[:, column]
-    row = int(np.nanargmin(distances)) if np.isfinite(distances).any() else None
-    return {
-        "pair": [number + 1 for number in apart.pairs[column]],
-        "min": None if row is None else float(distances[row]),
-        "t": None if row is None else float(apart.t[row]),
-    }
+    least, step = nearest(apart.vectors[column])
+    met = math.isfinite(least)
+    pair = [number + 1 for number in apart.pairs[column]]
+    return {"pair": [*pair], "min": least if met else None, "t": STEP * step if met else None}
 
 
 def _requirement(margin: Margin) -> Json:

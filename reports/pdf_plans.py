@@ -51,7 +51,9 @@ def plan_sections(
         stem = folder / f"plans-{i + 1}-{slug(scenario.name)}"
         pictures = draw_plans(named, results, outcomes, stem) if i in drawn else []
         told = note if i == noted else ""
-        sections.append(Section(scenario.name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
+        several = sum(one.name == scenario.name for one in scenarios) > 1
+        name = f"{scenario.name} at {text(scenario.unit, 'm')} a unit" if several else scenario.name
+        sections.append(Section(name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
     return sections
 
 

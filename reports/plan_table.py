@@ -64,7 +64,7 @@ def _search(facts: PlanFacts) -> list[tuple[str, str, str]]:
     if not facts.survivors:
         return []
     converged = "never" if facts.converged is None else f"iteration {facts.converged}"
-    arrived = "within all limits in the last" if facts.evaluations else "arrived in the last"
+    arrived = "pigeons within all limits, last" if facts.evaluations else "arrived in the last"
     return [
         ("iterations", str(len(facts.survivors)), ""),
         (arrived, f"{facts.survivors[-1]} of {facts.population}", ""),

@@ -68,7 +68,7 @@ def _reason(step: Step) -> str:
         return step.reason
     value, limit, s = (math.nan if one is None else one for one in (step.value, step.limit, step.s))
     requirement = Requirement(step.metric, step.comparison, limit)
-    metric = Metric(step.metric, value, step.si_unit, s=s, valid=step.value is not None, note=step.reason)
+    metric = Metric(step.metric, value, step.si_unit, s=s, valid=step.value is not None, note=step.reason, who=step.who)
     sign = 1.0 if step.comparison == "<=" else -1.0
     margin = Margin(requirement, metric, sign * (limit - value))
-    return missed(margin) + place(margin, "")
+    return missed(margin) + place(margin, step.kind)

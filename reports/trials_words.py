@@ -12,7 +12,7 @@ from reports.names import spoken
 from reports.quantity import number, text
 from reports.words import closest, missed, place, speed_words, wind_words
 from tracking.outcome import Outcome
-from tracking.verdict import NOT_TRACKWORTHY, TRACKWORTHY
+from tracking.verdict import EITHER, NOT_TRACKWORTHY, TRACKWORTHY
 
 
 def case_verdict_words(result: CaseResult) -> str:
@@ -20,6 +20,8 @@ def case_verdict_words(result: CaseResult) -> str:
     if result.verdict == ERROR:
         return "FAILED TO RUN"
     word = "TRACKWORTHY" if result.verdict == TRACKWORTHY else "NOT TRACKWORTHY"
+    if result.case.expect == EITHER:
+        return f"{word} (to be compared)"
     if result.case.expect != NOT_TRACKWORTHY:
         return word
     return f"{word} (as expected)" if result.passed else f"{word} (expected not to be)"

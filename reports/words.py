@@ -7,12 +7,15 @@ import math
 from reports.fleet_words import GROUND, called, departure_words, ended_words, remedy_words, vehicle_words
 from reports.names import spoken
 from reports.quantity import pair, text
+from sim.vehicle import GROUND as ON_GROUND
+from sim.vehicle import NOT_A_NUMBER, STALL
 from sim.wind import Wind
 from tracking.feasibility import Slope, Stretch
 from tracking.metric import Margin
 from tracking.outcome import Outcome
-from tracking.verdict import NOT_TRACKWORTHY
+from tracking.verdict import EITHER, NOT_TRACKWORTHY
 
+FAULTS = (STALL, ON_GROUND, NOT_A_NUMBER)
 _KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
 _BY_SLOPES = ("altitude_", "load_factor_", "stall_")
@@ -28,6 +31,8 @@ def sentence(outcome: Outcome) -> str:
 def verdict_words(outcome: Outcome) -> str:
     """TRACKWORTHY or NOT TRACKWORTHY, and what was expected where that is not to be taken for granted."""
     word = "TRACKWORTHY" if outcome.verdict.trackworthy else "NOT TRACKWORTHY"
+    if outcome.verdict.expect == EITHER:
+        return f"{word} (to be compared)"
     if outcome.verdict.expect != NOT_TRACKWORTHY:
         return word
     return f"{word} (as expected)" if outcome.verdict.passed else f"{word} (expected not to be)"
@@ -67,9 +72,12 @@ def reason(outcome: Outcome) -> str:
         return f"every requirement met; closest: {closest(margin)}{f', {whose}' if whose else ''}"
     others = sum(not other.met for other in outcome.verdict.margins) - 1
     parts = [missed(margin) + place(margin, kind)]
-    if why := cause(outcome, margin):
-        parts[0] += f": {why}"
-    parts += ended_words(outcome)
+    if outcome.track.ended in FAULTS:  # all that it then missed follows from it
+        parts = [*ended_words(outcome), *parts]
+    else:
+        if why := cause(outcome, margin):
+            parts[0] += f": {why}"
+        parts += ended_words(outcome)
     if remedy := remedy_words(outcome, said=margin.metric.name == "separation_min"):
         parts.append(remedy)
     if others:

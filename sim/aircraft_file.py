@@ -104,7 +104,7 @@ class OwnAutopilot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Operation(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What a good flight keeps to: bank, stall margin [deg], load factor [g], altitude [m], airspeed error [m/s].
 
-    `separation_min` [m] is the smallest horizontal distance wanted to another aircraft.
+    `separation_min` [m] is the smallest distance wanted to another aircraft.
     """
 
     bank_max: Positive

@@ -49,10 +49,10 @@ class FixedWing:
 
     def __init__(self, aircraft: Aircraft, planet: Planet | None = None) -> None:
         self.name = aircraft.name
-        self._planet = planet or aircraft.home
-        self.limits = aircraft.limits(self._planet)
+        self.planet = planet or aircraft.home
+        self.limits = aircraft.limits(self.planet)
         self._aircraft = aircraft
-        self._weights_per_g = STANDARD_GRAVITY / self._planet.gravity
+        self._weights_per_g = STANDARD_GRAVITY / self.planet.gravity
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
         """Start in equilibrium in the wind, on the course of `pose`, at the true airspeed `speed` [m/s].
@@ -62,10 +62,10 @@ class FixedWing:
         """
         self._check(speed, pose)
         self._check_world(conditions)
-        frame = conditions.frame or self._planet.frame()
+        frame = conditions.frame or self.planet.frame()
         transformer = point_transform(frame)
         lon, lat = transformer.transform(pose.x, pose.y, direction="INVERSE")
-        fdm = load_model(self._aircraft, STEP, self._planet)
+        fdm = load_model(self._aircraft, STEP, self.planet)
         scale_mass(fdm, conditions.mass_factor)
         self._north = true_north(frame, lat, lon)
         convergence = self._north - math.pi / 2
@@ -73,10 +73,10 @@ class FixedWing:
         try:
             start_in_equilibrium(fdm, on_course, lat, lon, speed, conditions.wind)
         except NoEquilibriumError:
-            if self._planet == self._aircraft.home:
+            if self.planet == self._aircraft.home:
                 raise
             release_level(fdm, on_course, lat, lon, speed, conditions.wind)
-        check_planet(fdm, self._planet, lat, pose.z)
+        check_planet(fdm, self.planet, lat, pose.z)
         start_turbulence(fdm, conditions.turbulence, seed)
         self._blow = gusts_of(fdm, conditions.gust, conditions.dryden, speed, STEP, seed)
         self._frame, self._to_local = frame, transformer.transform
@@ -166,7 +166,7 @@ class FixedWing:
         )  # fmt: skip
 
     def _check_world(self, conditions: Conditions) -> None:
-        planet = self._planet
+        planet = self.planet
         if conditions.turbulence and planet != EARTH:
             raise InputError(
                 "turbulence",

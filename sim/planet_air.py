@@ -23,7 +23,7 @@ GRAVITY_TOLERANCE = 0.002
 def load_planet(fdm: jsbsim.FGFDMExec, planet: Planet) -> None:
     """Put `fdm`, which has no aircraft yet, on `planet`."""
     file = PLANETS_FOLDER / f"{planet.name}.xml"
-    if planet is not EARTH and not fdm.load_planet(str(file), False):
+    if planet != EARTH and not fdm.load_planet(str(file), False):
         raise TrackworthyError(f"JSBSim cannot load {file}")
 
 

@@ -13,6 +13,7 @@ from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 from planners.errors import InputError
 from planners.footprint import Rectangle
 from planners.units import STANDARD_GRAVITY
+from sim.planet import EARTH
 from sim.vehicle import NOT_A_NUMBER, Bound, Command, Conditions, Limits, Pose, State
 
 WHEELBASE = 4.5  # [m] a two-axle 7 m truck
@@ -38,6 +39,7 @@ class Truck:
     """The `truck`: `steering_hz` is how often guidance may steer (paper 004 steers at 2 Hz)."""
 
     name = "truck"
+    planet = EARTH
     period = 0.05
     channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 

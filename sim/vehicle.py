@@ -11,6 +11,7 @@ import msgspec
 from planners.footprint import Footprint
 from planners.frame import Frame
 from planners.units import STANDARD_GRAVITY
+from sim.planet import Planet
 from sim.wind import Dryden, Gust, Wind
 
 NOT_A_NUMBER, STALL, GROUND = "not a number", "stall", "ground"  # faults of a state
@@ -134,10 +135,11 @@ class Vehicle(Protocol):
     """A simulated plant that takes a `Command` every `period` [s] and returns the true `State`.
 
     Guidance renews the command every `guidance_period` [s], a multiple of `period`. `channels` names the vehicle's own
-    quantities, in SI units; `limits` what it can do.
+    quantities, in SI units; `limits` what it can do on the `planet` where it is.
     """
 
     name: str
+    planet: Planet
     limits: Limits
     period: float
     guidance_period: float

@@ -15,7 +15,7 @@ from scipy.sparse import coo_array
 
 from planners.errors import TrackworthyError
 from planners.kernel import Floats
-from tracking.separation import PLACE
+from tracking.separation import PLACE, nearest
 from tracking.track import Track
 
 Run = tuple[int, int]  # whole seconds, first and last
@@ -24,10 +24,9 @@ EARLIER = 1e-4  # by how much a second of waiting weighs more for each later num
 
 def delays(tracks: Sequence[Track], least: float) -> tuple[float, ...]:
     """Departures in whole seconds from 0 on that keep all `tracks` `least` [m] apart, with the least waiting in all."""
-    places = [_each_second(track) for track in tracks]
-    conflicts = {
-        (i, j): too_close(places[i], places[j], least) for i, j in combinations(range(len(tracks)), 2)
-    }  # fmt: skip
+    places, off = zip(*(_each_second(track) for track in tracks), strict=True)
+    pairs = combinations(range(len(tracks)), 2)
+    conflicts = {(i, j): too_close(places[i], places[j], least + off[i] + off[j]) for i, j in pairs}
     return tuple(float(delay) for delay in least_waiting(len(tracks), conflicts))
 
 
@@ -81,23 +80,28 @@ def least_waiting(count: int, conflicts: Mapping[tuple[int, int], Sequence[Run]]
     at_row, at_column, values = zip(*entries, strict=True)
     matrix = coo_array((values, (at_row, at_column)), shape=(len(rows), width)).tocsr()
     bounds = (np.zeros(width), np.concatenate([np.full(count, horizon), np.ones(width - count)]))
-    found = milp(weights, constraints=LinearConstraint(matrix, lower, upper), integrality=np.ones(width), bounds=bounds)
+    found = milp(
+        weights,
+        constraints=LinearConstraint(matrix, lower, upper),
+        integrality=np.ones(width),
+        bounds=bounds,
+        options={"mip_rel_gap": 0.0},
+    )
     if found.x is None:
         raise TrackworthyError(f"departure delays: {found.message}; this is a fault of trackworthy")
     return [round(delay) for delay in found.x[:count]]
 
 
-def _each_second(track: Track) -> Floats:
-    t = np.arange(np.ceil(track["t"][-1]) + 1.0)
-    return np.column_stack([np.interp(t, track["t"], track[axis]) for axis in PLACE])
+def _each_second(track: Track) -> tuple[Floats, float]:
+    """Where the vehicle was (N, 3) [m] each second, and how far it ever was from the straight line between [m]."""
+    t, own = np.arange(np.ceil(track["t"][-1]) + 1.0), track["t"]
+    places = np.column_stack([np.interp(t, own, track[axis]) for axis in PLACE])
+    between = np.column_stack([np.interp(own, t, places[:, i]) for i in range(len(PLACE))])
+    true = np.column_stack([track[axis] for axis in PLACE])
+    return places, float(np.linalg.norm(true - between, axis=1).max())
 
 
 def _nearest(first: Floats, second: Floats, delay: int) -> float:
     """The smallest distance [m] where the second starts `delay` [s] after the first; infinite if it is gone by then."""
     start, end = max(0, delay), min(len(first), len(second) + delay)
-    apart = first[start:end] - second[start - delay : end - delay]
-    moved = np.diff(apart, axis=0)
-    along = np.einsum("ij,ij->i", moved, moved)
-    share = np.clip(-np.einsum("ij,ij->i", apart[:-1], moved) / np.where(along > 0.0, along, 1.0), 0.0, 1.0)
-    between = np.linalg.norm(apart[:-1] + share[:, None] * moved, axis=1)
-    return float(np.min(between, initial=float(np.linalg.norm(apart[-1]))))
+    return nearest(first[start:end] - second[start - delay : end - delay])[0]

@@ -12,7 +12,7 @@ import numpy as np
 from tracking.departures import delays
 from tracking.metric import Metric, Requirement
 from tracking.outcome import Fleet, Outcome
-from tracking.requirements import default_requirements, with_user_requirements
+from tracking.requirements import default_requirements, split_requirement, with_user_requirements
 from tracking.separation import Separation, separation, separation_min
 from tracking.verdict import judge
 
@@ -48,7 +48,7 @@ def fleet_outcome(
     member = int((decisive.metric.who if decisive else "").partition(" ")[0] or 1) - 1
     remedy = delays(tracks, SPARE * wanted) if metrics["separation_min"].value < wanted else ()
     fleet = Fleet(tuple(members), leaving, apart, member, wanted, remedy)
-    return replace(members[member], name=name, metrics=metrics, verdict=verdict, fleet=fleet)
+    return replace(members[member], name=name, seed=first.seed, metrics=metrics, verdict=verdict, fleet=fleet)
 
 
 def member_seed(seed: int, member: int) -> int:
@@ -61,7 +61,7 @@ def member_seed(seed: int, member: int) -> int:
 def _wanted(required: float, require: Sequence[str]) -> float:
     """The separation [m] that is required: the user's, else `required`."""
     stated = with_user_requirements(
-        (), [text for text in require if text.split("=")[0].strip(" <>") == "separation_min"],
+        (), [text for text in require if split_requirement(text)[0] == "separation_min"],
         {"separation_min": Metric("separation_min", math.nan, "m", "higher")},
     )  # fmt: skip
     return max((one.limit for one in stated if one.comparison == ">="), default=required)

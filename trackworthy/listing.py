@@ -131,7 +131,7 @@ def _formats() -> list[str]:
 
 
 def _metrics() -> list[str]:
-    """Their names, from one metre driven and one flown: what a vehicle measures depends on the vehicle."""
+    """Their names, from two on one metre each, driven and flown: what a vehicle measures depends on the vehicle."""
     import numpy as np
 
     from campaigns.limits import DEFAULT_LIMITS
@@ -139,8 +139,11 @@ def _metrics() -> list[str]:
     from planners.path import Path
     from tracking.trial import Trial, run_trial
 
-    here = Path(np.array([[0.0, 0.0], [1.0, 0.0]]))
-    trials = (Trial("one metre", here, vehicle, obstacles=Map(), max_range=1.0) for vehicle in ("c172x", "truck"))
+    here, beside = (Path(np.array([[0.0, y], [1.0, y]])) for y in (0.0, 50.0))
+    trials = (
+        Trial("one metre", here, vehicle, obstacles=Map(), max_range=1.0, others=(beside,))
+        for vehicle in ("c172x", "truck")
+    )
     metrics = {name: metric for trial in trials for name, metric in run_trial(trial).metrics.items()}
     shown = {"rad": "deg", "rad/s": "deg/s", "m/s^2": "m/s^2 or g", "share": "%", "1": ""}
     better = {"lower": "lower is better", "higher": "higher is better", "neither": ""}

@@ -12,7 +12,9 @@ if TYPE_CHECKING:
 def add_parser(commands: Any) -> None:
     """Declare the command's arguments."""
     parser = commands.add_parser(
-        "plan", help="plan a path on a scenario and measure it", description="Plan a path from start to goal."
+        "plan",
+        help="plan on a scenario and measure what comes out",
+        description="Plan a path from start to goal, or those of a fleet.",
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
@@ -43,7 +45,7 @@ def main(args: argparse.Namespace) -> int:
     from planners.errors import InputError
     from planners.facts import facts_of
     from planners.scenario import load_scenario
-    from trackworthy.streams import check_picture, protect, tell
+    from trackworthy.streams import check_picture, numbered, protect, tell
 
     if args.seed < 0:
         raise InputError("--seed", f"{args.seed} is negative", "give 0 or more")
@@ -53,12 +55,13 @@ def main(args: argparse.Namespace) -> int:
         _check_output(args.output, scenario)
     if args.picture:
         check_picture(args.picture)
-    for file in filter(None, (args.output, args.picture)):
+    most = numbered(args.output, len(scenario.starts)) if args.output else []
+    for file in filter(None, (args.output, *most, args.picture)):
         protect(file, *map(str, scenario.files))
     plan = plan_with(planner, scenario, args.seed)
     tell(plan.notes)
     facts = facts_of(plan, planner, scenario, args.seed)
-    paths = _numbered(args.output, len(plan.paths)) if args.output else []
+    paths = numbered(args.output, len(plan.paths)) if args.output else []
     for path, file in zip(plan.paths, paths, strict=bool(args.output)):
         files.write(path, file)
     if args.picture:
@@ -75,16 +78,6 @@ def main(args: argparse.Namespace) -> int:
         print_facts(facts)
     tell(f"saved {file}" for file in (*paths, *filter(None, [args.picture])))
     return 0 if plan.paths else 1
-
-
-def _numbered(file: str, count: int) -> list[str]:
-    """The files of as many paths; those of a fleet are numbered before the suffix."""
-    from pathlib import Path
-
-    if count <= 1:
-        return [file] * count
-    name = Path(file)
-    return [str(name.with_stem(f"{name.stem}-{number}")) for number in range(1, count + 1)]
 
 
 def _settings(pairs: list[str]) -> dict[str, Any]:

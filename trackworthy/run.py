@@ -72,7 +72,7 @@ def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: 
     from reports.quantity import counted
 
     paths = {plan.key for ready in cases for plan in ready.plans if fresh or not plan.done(folder)}
-    said = [f"planning {counted(len(paths), 'path')}"] if paths else []
+    said = [f"making {counted(len(paths), 'plan')}"] if paths else []
     return [*said, f"searching {counted(len(searches), 'smallest scale')}"] if searches else said
 
 

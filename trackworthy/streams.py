@@ -6,12 +6,19 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 
 def tell(notes: Iterable[str]) -> None:
     """Each note as a line on standard error."""
     for note in notes:
         print(note, file=sys.stderr)
+
+
+def numbered(file: str, count: int) -> list[str]:
+    """The files of a fleet of `count`, numbered before the suffix; that of a single vehicle is `file` itself."""
+    name = Path(file)
+    return [str(name.with_stem(f"{name.stem}-{i}")) for i in range(1, count + 1)] if count > 1 else [file] * count
 
 
 def protect(output: str, *inputs: str) -> None:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import argparse
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from campaigns.case import Case
-    from tracking.outcome import Outcome
 
 
 def add_parser(commands: Any) -> None:
     """Declare the command's arguments."""
     parser = commands.add_parser(
-        "track", help="put one path under one vehicle and judge it", description="Put one path under one vehicle."
+        "track",
+        help="put a path under a vehicle, or several under a fleet, and judge it",
+        description="Put a path under a vehicle, or several under a fleet.",
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
@@ -54,10 +56,11 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.inputs import Reader
     from campaigns.prepare import assemble
     from reports.export import check, export
+    from reports.fleet_figure import save_fleet_figure
     from reports.table import print_outcome
     from reports.track_figure import save_track_figure
     from tracking.trial import run_trial
-    from trackworthy.streams import chatter_to_stderr, check_picture, protect, tell
+    from trackworthy.streams import chatter_to_stderr, check_picture, numbered, protect, tell
 
     with chatter_to_stderr():
         case = _case(args)
@@ -67,13 +70,16 @@ def main(args: argparse.Namespace) -> int:
         check_picture(picture)
         for file in args.export:
             check(trial.path, file)
-        for file in (picture, *args.export):
+        exports = [numbered(file, len(args.path)) for file in args.export]
+        for file in (picture, *chain(*exports)):
             protect(file, *filter(None, (*args.path, args.vehicle, args.scenario)))
         outcome = run_trial(trial)
-    save_track_figure(outcome, picture)
-    exports = [one for file in args.export for one in _exports(outcome, file)]
-    for member, file in exports:
-        export(member, file)
+    save = save_fleet_figure if outcome.fleet else save_track_figure
+    save(outcome, picture)
+    members = outcome.fleet.members if outcome.fleet else (outcome,)
+    for files in exports:
+        for member, file in zip(members, files, strict=True):
+            export(member, file)
     if args.json:
         import json
 
@@ -82,17 +88,8 @@ def main(args: argparse.Namespace) -> int:
         print(json.dumps(to_json(outcome), indent=2))
     else:
         print_outcome(outcome)
-    tell(f"saved {file}" for file in (picture, *(file for _, file in exports)))
+    tell(f"saved {file}" for file in (picture, *chain(*exports)))
     return 0 if outcome.verdict.passed else 1
-
-
-def _exports(outcome: Outcome, file: str) -> list[tuple[Outcome, str]]:
-    """What goes into which file: a fleet's tracks into one each, numbered before the suffix."""
-    if outcome.fleet is None:
-        return [(outcome, file)]
-    name = Path(file)
-    members = enumerate(outcome.fleet.members, start=1)
-    return [(member, str(name.with_stem(f"{name.stem}-{number}"))) for number, member in members]
 
 
 def _case(args: argparse.Namespace) -> Case:

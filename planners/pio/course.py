@@ -64,6 +64,12 @@ class Course:
         """How many paths a position stands for."""
         return 1
 
+    def clipped(self, positions: Floats) -> Floats:
+        """`positions` (N, D) no farther aside than the map is wide: beyond, all paths are as bad."""
+        rows, columns = self.field.room.shape
+        reach = self.field.cell * math.hypot(rows, columns)
+        return np.asarray(np.clip(positions, -reach, reach))
+
     def judge(self, positions: Floats) -> Judged:
         """Cost, length and limits of `positions` (N, D)."""
         n, room = len(positions), self.field
@@ -118,6 +124,11 @@ class Joint:
         """Those of each course, from positions (..., D)."""
         ends = np.cumsum([course.dimensions for course in self.courses])[:-1]
         return [np.ascontiguousarray(part) for part in np.split(positions, ends, axis=-1)]
+
+    def clipped(self, positions: Floats) -> Floats:
+        """As each course does it."""
+        parts = zip(self.courses, self.split(positions), strict=True)
+        return np.hstack([course.clipped(part) for course, part in parts])
 
     def judge(self, positions: Floats) -> Judged:
         """Cost, length and limits of `positions` (N, D)."""

@@ -62,12 +62,12 @@ def search(
 ) -> Search:
     """Let pigeons at `positions` (N, D) with `velocities` (N, D) search."""
     seen = Search(course)
-    told = seen.look(positions)
+    seen.look(positions)
     if settings.cauchy:
         mutate(seen, rng)
     for t in range(1, settings.compass_iterations + 1):
         velocities = steered(seen, positions, velocities, t, rng, settings)
-        positions = positions + velocities
+        positions = course.clipped(positions + velocities)
         told = seen.look(positions)
         if settings.cauchy:
             mutate(seen, rng)
@@ -119,7 +119,7 @@ def mutate(seen: Search, rng: np.random.Generator) -> None:
 
     It scales a path about the straight line from start to goal, where all offsets are 0.
     """
-    seen.look(seen.best[None] * math.tan(math.pi * (rng.random() - 0.5)))
+    seen.look(seen.course.clipped(seen.best[None] * math.tan(math.pi * (rng.random() - 0.5))))
 
 
 def landed(seen: Search, positions: Floats, told: Judged, rng: np.random.Generator) -> tuple[Floats, Judged]:

@@ -10,7 +10,7 @@ from planners.voronoi.settings import RoadmapSettings
 
 Count = Annotated[int, msgspec.Meta(ge=1, le=100_000)]
 Iterations = Annotated[int, msgspec.Meta(ge=0, le=100_000)]
-Factor = Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)]
+Factor = Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Positive = Annotated[float, msgspec.Meta(gt=0.0, le=1e9)]
 

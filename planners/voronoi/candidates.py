@@ -91,9 +91,9 @@ def _paths(
     cost = np.where(clear, length, THREAT * length)[kept]
     ij = edges[kept].T.astype(np.int32)  # yen takes no larger indices
     graph = csr_array((cost, (ij[0], ij[1])), shape=(len(points), len(points)))
-    costs, previous = yen(graph, start, goal, count, directed=False, return_predecessors=True)
+    _, previous = yen(graph, start, goal, count, directed=False, return_predecessors=True)
     ways = []
-    for before, _ in zip(previous, costs, strict=True):
+    for before in previous:
         way = [goal]
         while way[-1] != start:
             way.append(int(before[way[-1]]))

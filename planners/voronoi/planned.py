@@ -37,7 +37,8 @@ class Planned:
 def planned(scenario: Scenario, settings: RoadmapSettings, planner: str, keep_turns: bool) -> Planned | Plan:
     """The candidates chosen, or the plan that says why there are none.
 
-    Range is kept. With `keep_turns` the turn limit is kept too, where as many aircraft can be served so.
+    Range is kept: what is to be optimised later must be within it before. With `keep_turns` the turn limit is kept
+    too, where as many aircraft can be served so.
     """
     fleet_ends(scenario, settings.clearance, planner)
     small, keep = scaled(scenario, 1.0), settings.clearance / scenario.unit

@@ -113,6 +113,33 @@ def test_degrees_are_those_of_the_planet_flown_on(tmp_path):
     assert trial.path.length == pytest.approx(np.radians(0.01) * MARS_A, abs=0.01)
 
 
+def test_degrees_are_those_of_the_vehicles_own_planet_if_nobody_says_otherwise(tmp_path):
+    files.write(Path([[0.0, 0.0], [1113.1949, 0.0]], frame=Frame(0.0, 0.0)), tmp_path / "a.csv")
+    assert trial_of(tmp_path, path="a.csv", vehicle="ares").path.frame.a == MARS_A
+
+
+def test_a_map_with_an_origin_keeps_its_metres_on_another_planet(yard):
+    """A path planned on it, or given by latitudes and longitudes there, lies among the same obstacles."""
+    (yard / "yard.toml").write_text(YARD + "origin = [10.0, 20.0]\n")
+    inputs = Reader(yard).read(Case(scenario="yard.toml", planner="exact", vehicle="c172x", planet="mars"))
+    assert inputs.scenario.map.frame == Frame(10.0, 20.0, MARS_A, MARS_B)
+    straight = Path([[10.0, 10.0], [90.0, 50.0]], frame=inputs.scenario.map.frame)
+    trial = assemble(Case(scenario="yard.toml", planner="exact", vehicle="c172x", planet="mars"), inputs, (straight,))
+    assert np.array_equal(trial.path.points, straight.points)
+    assert trial.obstacles.frame == trial.path.frame
+
+
+def test_a_planet_by_name_is_that_of_the_worker_too(tmp_path):
+    file = write_campaign(tmp_path, '[[case]]\nname = "home"\npath = "air.csv"\nvehicle = "c172x"\nplanet = "earth"\n')
+    assert run_here(file, tmp_path / "out").results[0].verdict == "trackworthy"
+
+
+def test_one_vehicle_is_told_that_it_is_no_fleet(tmp_path):
+    files.write(Path([[0.0, 0.0], [3000.0, 0.0]]), tmp_path / "a.csv")
+    (note,) = trial_of(tmp_path, path="a.csv", name="lone", separation=500).notes
+    assert note == "lone: separation, departures: not taken, it is one vehicle"
+
+
 def test_the_scenario_says_where_it_lies_and_the_case_may_say_otherwise():
     planned = {"scenario": "mars-gap", "planner": "exact"}
     for planet, gravity in ((None, 3.71), ("earth", 9.80665)):

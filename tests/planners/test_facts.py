@@ -1,4 +1,5 @@
 import math
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -57,6 +58,14 @@ def test_a_yardstick_that_fails_costs_no_plan(monkeypatch):
 
     monkeypatch.setattr(facts.Exact, "plan", fails)
     assert exact_length(scenario(), 7.0 * UNIT) is None
+
+
+def test_a_fleet_of_which_some_stay_is_not_compared_with_one_that_flies_whole():
+    """The third aircraft's shortest path, 179 units, is within a range of 200; those of the others are not."""
+    fleet = replace(load_scenario("mars-hazards-15"), max_range=200.0 * 250.0)
+    some = told("vd", fleet)
+    assert len(some.lengths) == 1
+    assert (some.exact_length, some.length_ratio) == (None, None)
 
 
 def test_of_a_fleet_lengths_are_summed_and_the_rest_is_the_worst():

@@ -19,6 +19,7 @@ from reports.focus import focus
 from reports.json_result import to_json
 from reports.pdf import write_pdf
 from reports.pdf_case import case_data
+from reports.quantity import text
 from reports.rows import rows
 from reports.separation_panel import closest_pairs
 from reports.style import MEMBERS, style
@@ -44,13 +45,15 @@ def test_places_name_the_aircraft_and_the_remedy_is_told(fleet):
     told = reason(fleet)
     assert re.match(r"cross-track error \d+ m > 30 m at [\d.]+ km of aircraft 3: the turn there, ", told)
     least, remedy = fleet.metrics["separation_min"], fleet.fleet.remedy
-    close = f"aircraft 1 and 2 come within {least.value:.2f} m at {least.t:.0f} s; "
+    close = f"aircraft 1 and 2 come within {text(least.value, 'm')} at {least.t:.0f} s; "
     assert close + f"leaving {remedy[0]:.0f}, 0 and 0 s later they would keep 1 km" in told
 
 
 def test_where_separation_decides_the_pair_is_named_once(meeting):
     told, least = reason(meeting), meeting.metrics["separation_min"]
-    assert told.startswith(f"separation {least.value:.2f} m < 500 m, aircraft 1 and 2 at {least.t:.0f} s; leaving ")
+    assert told.startswith(
+        f"separation {text(least.value, 'm')} < 500 m, aircraft 1 and 2 at {least.t:.0f} s; leaving "
+    )
     assert told.endswith(" s later they would keep 500 m")
     assert told.count("aircraft") == 1
 

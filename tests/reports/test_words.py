@@ -85,7 +85,7 @@ def test_ended_early_and_others_missed(route):
     track = dataclasses.replace(route.track, ended="stall")
     outcome = judged(route, (completion, ">=", 1.0), (error(30.5), "<=", 30.0), track=track)
     assert reason(outcome) == (
-        "completion 50 % < 100 % at 20 km; the run ended early: stall; 1 more requirement missed"
+        "the run ended early: stall at 40.4 km; completion 50 % < 100 % at 20 km; 1 more requirement missed"
     )
 
 

@@ -59,6 +59,20 @@ def test_delays_keep_the_distance_they_were_asked_for():
             assert separation_min(separation(tracks, earlier)).value < 500.0
 
 
+@settings(max_examples=25, deadline=None)
+@given(st.integers(0, 2**32 - 1))
+def test_what_turns_stays_apart_too(seed):
+    """Circles of trucks, 8 m/s at 0.6 g, whose places a second apart are 0.7 m off the straight lines between."""
+    rng = np.random.default_rng(seed)
+    t = np.linspace(0.0, 20.0, 401)
+    tracks = []
+    for _ in range(2):
+        angle = rng.uniform(0.0, 2.0 * math.pi) + 8.0 / 10.9 * t
+        x, y = (rng.uniform(-15.0, 15.0) + 10.9 * turned(angle) for turned in (np.cos, np.sin))
+        tracks.append(Track(("t", "x", "y", "z"), np.column_stack([t, x, y, np.zeros(401)]), "completed"))
+    assert separation_min(separation(tracks, delays(tracks, 1.001 * 12.0))).value >= 12.0
+
+
 RUNS = st.lists(st.tuples(st.integers(-6, 6), st.integers(0, 3)), max_size=3)
 
 

@@ -58,6 +58,7 @@ def test_metrics_are_those_of_the_worst_member_and_it_decides():
     assert not fleet.verdict.trackworthy
     assert fleet.fleet.member == 1
     assert fleet.track is fleet.fleet.members[1].track
+    assert fleet.seed == 0
     assert np.abs(error_profile(fleet)).max() == np.abs(error_profile(alone[1])).max()
 
 

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from planners import files
@@ -39,6 +40,16 @@ def test_paths_that_meet_are_not_trackworthy_until_they_are_separated(run):
 def test_each_track_of_a_fleet_is_exported_into_a_file_of_its_own(run, tmp_path):
     run("track", "east.csv", "north.csv", "--vehicle", "c172x", "--export", "flown.csv")
     assert sorted(file.name for file in tmp_path.glob("flown*")) == ["flown-1.csv", "flown-2.csv"]
+
+
+def test_no_export_takes_the_place_of_a_path_it_reads(run):
+    kept = files.read("east.csv").path
+    files.write(kept, "route-1.csv")
+    files.write(files.read("north.csv").path, "route-2.csv")
+    code, _, error = run("track", "route-1.csv", "route-2.csv", "--vehicle", "c172x", "--export", "route.csv")
+    assert code == 2
+    assert "route-1.csv: it would overwrite what is read" in error
+    assert np.array_equal(files.read("route-1.csv").path.points, kept.points)
 
 
 @pytest.mark.parametrize(

@@ -78,7 +78,16 @@ def test_uneven_legs_are_told():
 def test_the_offsets_of_a_path_are_found_again(position):
     """To what the densely sampled path allows: 20 points a leg."""
     drawn = np.column_stack([np.linspace(10.0, 90.0, 21), 50.0 + np.concatenate([[0.0], position, [0.0]])])
-    assert COURSE.offsets(drawn) == pytest.approx(position, abs=3.0)
+    assert COURSE.offsets(drawn) == pytest.approx(position, abs=0.5)
+
+
+def test_positions_stay_within_the_width_of_the_map():
+    """However fast pigeons get, as with an inertia above 1: what a path costs to look at grows with its length."""
+    far = np.array([[-1e9, *np.zeros(17), 1e9]])
+    reach = math.hypot(FIELD.cell * FIELD.room.shape[0], FIELD.cell * FIELD.room.shape[1])
+    assert COURSE.clipped(far)[0, [0, 1, 18]].tolist() == [-reach, 0.0, reach]
+    both = Joint((COURSE, COURSE)).clipped(np.hstack([far, far]))
+    assert both.tolist() == np.hstack([COURSE.clipped(far)] * 2).tolist()
 
 
 def test_joint_courses_cost_their_sum():

@@ -24,6 +24,9 @@ class Bowl:
         cost = 1.0 + ((positions - LEAST) ** 2).sum(axis=1)
         return Judged(cost, cost, cost < 5.0)
 
+    def clipped(self, positions):
+        return positions
+
     def gradients(self, positions, step):
         return 2.0 * (positions - LEAST)
 

@@ -1,5 +1,7 @@
 """Paper 001's pigeons on our maps of its numbers. Seeds from 100 on were not used for tuning."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -56,7 +58,17 @@ def test_a_history_of_three_swarms_is_their_sum():
 
 
 def test_where_no_pigeon_keeps_the_limits_the_roadmap_path_is_flown():
-    """Two segments cannot pass between the hazards; the roadmap paths can, but for turns."""
+    """Two segments cannot pass between the hazards; the roadmap paths can, where turns are free."""
     settings = {"segments": 2, "pigeons": 5, "compass_iterations": 1, "landmark_iterations": 0}
-    plan = plan_with(make_planner("vdp-pio", settings), MAPS[25], 1)
-    assert plan.outcome == "not found" or any("flies its roadmap path" in note for note in plan.notes)
+    plan = plan_with(make_planner("vdp-pio", settings), replace(MAPS[25], max_turn_angle=None), 1)
+    assert [note for note in plan.notes if "flies its roadmap path" in note] == list(plan.notes)
+    assert len(plan.notes) == 3
+    for path, short in zip(plan.paths, plan.stages[1].paths, strict=True):
+        assert np.array_equal(path.xy, short.xy)
+
+
+def test_where_neither_keeps_them_none_is_found():
+    settings = {"segments": 2, "pigeons": 5, "compass_iterations": 1, "landmark_iterations": 0}
+    plan = plan_with(make_planner("vdp-pio", settings), replace(MAPS[25], max_turn_angle=0.1), 1)
+    assert (plan.paths, plan.outcome) == ((), "not found")
+    assert "nor does its roadmap path" in plan.reason
