@@ -267,7 +267,9 @@ def test_of_a_fleet_as_many_as_possible_are_served():
     fleet = replace(fleet, map=replace(fleet.map, bounds=(0.0, 0.0, SIDE, SIDE)))
     plan = Exact().plan(fleet, np.random.default_rng(0))
     assert [path.name for path in plan.paths] == ["aircraft 1 to target 1", "aircraft 2 to target 2"]
-    assert plan.notes == ("aircraft 3 has no path: there are fewer targets than aircraft",)
+    assert plan.notes == (
+        "aircraft 3 has no path: there are fewer targets than aircraft; paths are numbered on without",
+    )
 
 
 def test_the_path_lies_where_the_map_does():

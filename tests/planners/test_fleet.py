@@ -81,7 +81,9 @@ def test_more_aircraft_than_targets_leave_some_and_say_so(name):
     found = fleet([], [(5.0, 20.0), (5.0, 40.0), (5.0, 60.0)], [(115.0, 60.0), (115.0, 20.0)])
     plan = plan_with(planner(name), found, 0)
     assert [path.name for path in plan.paths] == ["aircraft 1 to target 2", "aircraft 3 to target 1"]
-    assert plan.notes == ("aircraft 2 has no path: there are fewer targets than aircraft",)
+    assert plan.notes == (
+        "aircraft 2 has no path: there are fewer targets than aircraft; paths are numbered on without",
+    )
 
 
 @pytest.mark.parametrize("name", FLEETS)
