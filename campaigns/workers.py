@@ -8,6 +8,7 @@ import multiprocessing
 import os
 import queue
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -148,6 +149,7 @@ def _prepare_process() -> None:
     """In a new worker: chatter to standard error, an orderly end when told, and none without a parent."""
     os.dup2(2, 1)
     signal.signal(signal.SIGTERM, _leave)
+    sys.unraisablehook = _tell_unraisable
     parent = multiprocessing.parent_process()
     if parent is not None:
         threading.Thread(target=_leave_with, args=(parent.sentinel,), daemon=True).start()
@@ -155,6 +157,12 @@ def _prepare_process() -> None:
 
 def _leave(*_: object) -> None:
     raise SystemExit(0)
+
+
+def _tell_unraisable(one: sys.UnraisableHookArgs) -> None:
+    """What cannot be raised is told, but for our own leaving, where that meets a callback of the compiler."""
+    if not isinstance(one.exc_value, SystemExit):
+        sys.__unraisablehook__(one)
 
 
 def _leave_with(sentinel: int) -> None:
