@@ -6,7 +6,7 @@ delays bring their vehicles too close, and what is left is a linear programme ov
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -36,13 +36,17 @@ def too_close(first: Floats, second: Floats, least: float) -> list[Run]:
     Both are places (N, 3) [m] a second apart, between which they move straight.
     """
     reach = range(1 - len(second), len(first))
-    close = [delay for delay in reach if _nearest(first, second, delay) < least]
+    return in_runs(delay for delay in reach if _nearest(first, second, delay) < least)
+
+
+def in_runs(seconds: Iterable[int]) -> list[Run]:
+    """Ascending `seconds` as runs of neighbours."""
     runs: list[Run] = []
-    for delay in close:
-        if runs and delay == runs[-1][1] + 1:
-            runs[-1] = (runs[-1][0], delay)
+    for second in seconds:
+        if runs and second == runs[-1][1] + 1:
+            runs[-1] = (runs[-1][0], second)
         else:
-            runs.append((delay, delay))
+            runs.append((second, second))
     return runs
 
 

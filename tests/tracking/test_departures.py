@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tracking.departures import delays, least_waiting, too_close
+from tracking.departures import delays, in_runs, least_waiting, too_close
 from tracking.separation import separation, separation_min
 from tracking.track import Track
 
@@ -80,7 +80,10 @@ RUNS = st.lists(st.tuples(st.integers(-6, 6), st.integers(0, 3)), max_size=3)
 @given(st.tuples(RUNS, RUNS, RUNS))
 def test_the_waiting_is_the_least_there_is(drawn):
     pairs = ((0, 1), (0, 2), (1, 2))
-    conflicts = {pair: joined(runs) for pair, runs in zip(pairs, drawn, strict=True)}
+    conflicts = {
+        pair: in_runs(sorted({second for low, length in runs for second in range(low, low + length + 1)}))
+        for pair, runs in zip(pairs, drawn, strict=True)
+    }
 
     def free(waits):
         return not any(low <= waits[j] - waits[i] <= high for (i, j), runs in conflicts.items() for low, high in runs)
@@ -89,15 +92,3 @@ def test_the_waiting_is_the_least_there_is(drawn):
     assert free(found)
     best = min(sum(waits) for waits in product(range(22), repeat=3) if min(waits) == 0 and free(waits))
     assert sum(found) == best
-
-
-def joined(runs):
-    """Runs apart from each other, ascending, as `too_close` gives them."""
-    seconds = sorted({second for low, length in runs for second in range(low, low + length + 1)})
-    found = []
-    for second in seconds:
-        if found and second == found[-1][1] + 1:
-            found[-1] = (found[-1][0], second)
-        else:
-            found.append((second, second))
-    return found
