@@ -56,9 +56,7 @@ def least_waiting(count: int, conflicts: Mapping[tuple[int, int], Sequence[Run]]
     A mixed-integer programme: a binary for each gap between a pair's conflicts, exactly one of which is chosen.
     """
     horizon = 1 + sum(max(abs(low), abs(high)) + 1 for runs in conflicts.values() for low, high in runs)
-    rows: list[list[tuple[int, float]]] = []
-    upper: list[float] = []
-    lower: list[float] = []
+    rows: list[tuple[list[tuple[int, float]], float, float]] = []  # terms (column, factor), and what bounds their sum
     width = count
     for (i, j), runs in conflicts.items():
         if not runs:
@@ -67,22 +65,19 @@ def least_waiting(count: int, conflicts: Mapping[tuple[int, int], Sequence[Run]]
         highs = [*(low - 1 for low, _ in runs), horizon]
         gaps = range(width, width + len(lows))
         width += len(lows)
-        rows.append([(gap, 1.0) for gap in gaps])
-        lower.append(1.0)
-        upper.append(1.0)
         difference = [(j, 1.0), (i, -1.0)]
-        rows.append([*difference, *((gap, -float(low)) for gap, low in zip(gaps, lows, strict=True))])
-        lower.append(0.0)
-        upper.append(np.inf)
-        rows.append([*difference, *((gap, -float(high)) for gap, high in zip(gaps, highs, strict=True))])
-        lower.append(-np.inf)
-        upper.append(0.0)
+        rows.append(([(gap, 1.0) for gap in gaps], 1.0, 1.0))
+        rows.append(([*difference, *((gap, -float(low)) for gap, low in zip(gaps, lows, strict=True))], 0.0, np.inf))
+        rows.append(
+            ([*difference, *((gap, -float(high)) for gap, high in zip(gaps, highs, strict=True))], -np.inf, 0.0)
+        )
     if not rows:
         return [0] * count
     weights = np.concatenate([1.0 + EARLIER * np.arange(count), np.zeros(width - count)])
-    entries = [(row, column, value) for row, line in enumerate(rows) for column, value in line]
-    at_row, at_column, values = zip(*entries, strict=True)
-    matrix = coo_array((values, (at_row, at_column)), shape=(len(rows), width)).tocsr()
+    entries = [(row, column, factor) for row, (terms, _, _) in enumerate(rows) for column, factor in terms]
+    at_row, at_column, factors = zip(*entries, strict=True)
+    matrix = coo_array((factors, (at_row, at_column)), shape=(len(rows), width)).tocsr()
+    _, lower, upper = zip(*rows, strict=True)
     bounds = (np.zeros(width), np.concatenate([np.full(count, horizon), np.ones(width - count)]))
     found = milp(
         weights,

@@ -1,4 +1,4 @@
-"""Fuel: what was really burned, and how far the rest would last."""
+"""Fuel: what was really burned, and how far all of it would last."""
 
 from __future__ import annotations
 
