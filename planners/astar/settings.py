@@ -1,0 +1,28 @@
+"""What the planners for ground vehicles are told of the vehicle."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import msgspec
+
+from planners.units import parse_speed
+
+DEFAULT_SPEED = 45.0 / 3.6  # [m/s]
+
+Length = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
+
+
+class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """The `speed` that a path is planned for: as 12.5, "45km/h"; None for that of the case, or 45 km/h."""
+
+    speed: str | float | None = None
+
+    def __post_init__(self) -> None:
+        if self.speed is not None:
+            parse_speed(self.speed)
+
+    @property
+    def planned_speed(self) -> float:
+        """The speed [m/s]."""
+        return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
