@@ -10,12 +10,12 @@ import msgspec
 import numpy as np
 
 from planners.aco.finish import path_of, without_path
-from planners.astar.arc_printed_kernels import SPACING, descend
+from planners.astar.arc_printed_kernels import CIRCLE, SPACING, descend, sector
 from planners.astar.heading_limits import STEP_TIME, paper_heading_limit
 from planners.astar.settings import Length, SpeedSettings
 from planners.errors import InputError
 from planners.ground import Ground, ground_of
-from planners.kernel import Floats, Ints
+from planners.kernel import Bools, Floats, Ints
 from planners.planner import NOT_FOUND, Plan
 from planners.scenario import Scenario
 
@@ -36,6 +36,10 @@ class Descent:
     arrived: bool
     step: float
     limit: float
+
+    def heading(self, node: int) -> float:
+        """That of a node [rad]."""
+        return float(self.headings[node]) * SPACING
 
 
 class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -78,7 +82,7 @@ class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
         if scenario.max_range is not None and path.length > scenario.max_range:
             what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m, and it knows no other way"
             return Plan(outcome=NOT_FOUND, reason=what)
-        return Plan(paths=(path,), polylines=(path,))
+        return Plan(paths=(path,))
 
 
 def descent_of(scenario: Scenario, planner: AstarArcPaper) -> Descent | None:
@@ -97,6 +101,15 @@ def descent_of(scenario: Scenario, planner: AstarArcPaper) -> Descent | None:
         ground.blocked, ground.start, ground.goal, step / cell, limit, sector_reach(limit), nodes, headings
     )
     return Descent(ground, nodes[:count].copy(), headings[:count].copy(), arrived, step, limit)
+
+
+def children(found: Descent, node: int) -> tuple[Floats, Bools]:
+    """Those (N, 2) [m] of a node of the search, from its heading outwards, and which are free (N,)."""
+    count = 2 * sector_reach(found.limit) + 1 if node else CIRCLE
+    ends, free = np.empty((count, 2)), np.empty(count, np.bool_)
+    x, y = found.nodes[node]
+    sector(found.ground.blocked, x, y, found.headings[node], found.step / found.ground.cell, ends, free)
+    return found.ground.to_metres(ends), free
 
 
 def sector_reach(limit: float) -> int:
