@@ -11,7 +11,7 @@ from campaigns.summary import CaseResult
 from planners.all_planners import plan_with
 from planners.astar.arc_printed import AstarArcPaper
 from planners.facts import PlanFacts
-from planners.planner import History, Plan
+from planners.planner import NO_PATH, History, Plan
 from reports.colony_figure import save_colony_figure, shown_iterations
 from reports.comparison_figure import save_comparison_figure
 from reports.convergence_figure import HIGHEST, LOW, save_convergence_figure
@@ -53,7 +53,7 @@ def draw_plans(
     counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
     return [
         *_draw_roadmap(plans, planned, stem),
-        *_draw_sectors({name: plans[name] for name in planned}, stem),
+        *_draw_sectors(plans, planned, stem),
         *_draw_convergence(plans, counted, stem),
         *_draw_comparison(plans, colonies, stem),
         *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
@@ -125,9 +125,10 @@ def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], s
     return [Picture(file, f"The Voronoi roadmap, and the paths of {name} after {steps}.{beside}")]
 
 
-def _draw_sectors(plans: Mapping[str, PlannedBy], stem: Path) -> list[Picture]:
-    """Of A* by arcs, as printed, the first three."""
-    arcs = {name: one.planner for name, one in plans.items() if isinstance(one.planner, AstarArcPaper)}
+def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
+    """Of A* by arcs, as printed, the first three that had a map to search."""
+    searched = {name: plans[name].planner for name, plan in planned.items() if plan.outcome != NO_PATH}
+    arcs = {name: planner for name, planner in searched.items() if isinstance(planner, AstarArcPaper)}
     names = list(arcs)[:COLUMNS]
     if not names:
         return []

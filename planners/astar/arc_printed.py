@@ -52,10 +52,11 @@ class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
     where the goal lies in a node's sector, or in the pixel of one of its children, with a free line to it.
 
     Where the paper leaves a choice, this is it. A node's heading is the direction of the circle in which it was found,
-    not that of the line between two pixels: the turns that its Tables 3 and 4 print are multiples of 3 deg. The start
-    has no heading and so the whole circle of 120 nodes. An obstacle cuts a sector along the lines to its borders (Fig.
-    7a): what it hides is gone, and one that stands within leaves a part on either side. A closed pixel is not opened
-    again, as in any A*.
+    not that of the line between two pixels: the turns that its Tables 3 and 4 print are multiples of 3 deg. Of children
+    that are as good, as those in one pixel, the one that turns least counts. The start has no heading, and so the whole
+    circle of 120 nodes. An obstacle cuts a sector along the lines to its borders (Fig. 7a): what it hides is gone, and
+    one that stands within leaves a part on either side. A closed pixel is not opened again, as in any A*. The goal is
+    a point: one that a step lands beside, outside of the sector, is driven past.
 
     cell: side of a pixel [map units]; None for that of the map's own raster, or 1/512 of its larger side.
     clearance: [m] kept from obstacles; the paper's vehicle is a point.

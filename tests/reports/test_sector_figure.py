@@ -67,3 +67,8 @@ def test_a_campaign_draws_the_sectors_of_its_planners(tmp_path):
     assert first.caption.endswith("Beside Fig. 7.")
     save_sector_figure(POST, PLANNERS, tmp_path / "again.png")
     assert first.file.read_bytes() == (tmp_path / "again.png").read_bytes()
+
+
+def test_where_nothing_was_searched_there_is_no_picture_of_sectors(tmp_path):
+    plans = {"none": PlannedBy(PLANNERS["60 km/h"], WALLED, 0, "case", PlanStatistics(seeds=1, found=0, missing={}))}
+    assert [picture.file.name for picture in draw_plans(plans, [], {}, tmp_path / "plans")] == ["plans-none.png"]

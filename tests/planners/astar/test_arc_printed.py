@@ -36,6 +36,12 @@ def test_where_nothing_stands_the_path_is_straight(kmh, way):
     assert np.abs(path.turns).max(initial=0.0) == pytest.approx(0.0, abs=1e-9)
 
 
+def test_of_directions_that_share_a_pixel_the_one_that_turns_least_counts():
+    """In pixels of 2 m, several children of 4.17 m lie in the one straight ahead."""
+    found = descent_of(scenario(start=(11.0, 41.0), goal=(111.0, 41.0), unit=1.0), planner(30.0, cell=2.0))
+    assert (found.headings == 0).all()
+
+
 def strewn(seed):
     """Six posts of 0.6 m between start and goal, 10 m apart at least."""
     rng = np.random.default_rng(seed)
