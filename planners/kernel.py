@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
+Bytes = NDArray[np.uint8]
 
 DAY = 86_400.0  # [s]
 

@@ -1,0 +1,185 @@
+"""Arc A* that keeps its promise: paper 004's idea with a vehicle's own limits, and a search that can go back."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+import msgspec
+import numpy as np
+
+from planners.astar.arc_kernels import FREE_HEADING, HEADINGS, search
+from planners.astar.home_kernels import pooled, ways_home
+from planners.astar.linearised import Bounds
+from planners.astar.room import HALF_DIAGONAL, Body, Room, body_of, room_of
+from planners.astar.room_kernels import drawn
+from planners.astar.settings import TruckSettings
+from planners.astar.smooth import smoothed
+from planners.clearance import clearance
+from planners.fleet import fleet_ends
+from planners.footprint import Rectangle
+from planners.kernel import Bools, Floats, Ints
+from planners.path import Path
+from planners.planner import NO_PATH, NOT_FOUND, Plan, Stage, only_pair
+from planners.scenario import Scenario
+
+ARCS, SMOOTH = "arcs", "smooth"
+DRAWN = 0.5  # [m] between the points of an arc
+FEW_CELLS, MOST_CELLS = 512, 2048  # of distances, along the longer side of a map that is no picture
+CELLS_ACROSS = 8.0  # the body
+HOME_CELLS = 256  # along the longer side, on which the way home is found
+POSE_CELLS = 640  # at most, along the longer side
+STEP_CELLS = 4.0  # cells of a pose along a step
+STATIONS = 4.0  # points of the smooth path along a step
+
+Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
+
+
+class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A* over position and heading, whose steps are arcs that the vehicle can drive with its body.
+
+    A step lasts from one steering action to the next, and its curvature keeps to `lateral`, to the steering's limit and
+    to its rate. `start_heading` and `goal_heading` [deg, counter-clockwise from east] are free where they are not
+    given. The arcs are then drawn as a smooth path, which keeps to `smooth_lateral` [g] and `smooth_rate` [deg/s] of
+    the wheels, so that a controller has something left; `margin` [m] is how far the body should stay from everything.
+    `cell` [map units] is that of the grid of distances, and `most` poses are looked at.
+    """
+
+    name: ClassVar[str] = "astar-arc"
+    summary: ClassVar[str] = "arcs that a truck can drive, by a complete search, and smoothed"
+
+    smooth_lateral: Annotated[float, msgspec.Meta(gt=0.0, le=2.0)] = 0.5
+    smooth_rate: Annotated[float, msgspec.Meta(gt=0.0, le=1000.0)] = 15.0
+    margin: Annotated[float, msgspec.Meta(ge=0.0, le=10.0)] = 0.2
+    start_heading: Heading | None = None
+    goal_heading: Heading | None = None
+    cell: Annotated[float, msgspec.Meta(gt=0.0)] | None = None
+    most: Annotated[int, msgspec.Meta(ge=1, le=10_000_000)] = 500_000
+
+    @property
+    def clearance(self) -> float:
+        """Half of the body's width [m]."""
+        return self.width / 2.0
+
+    def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
+        """The same path for every seed.
+
+        Raises `InputError` for a scenario with more than one start or goal.
+        """
+        only_pair(scenario, self.name)
+        start, goal = fleet_ends(scenario, self.clearance, self.name)
+        room, body = room_of(scenario, self._cell(scenario)), body_of(self)
+        found = self._search(room, body, start - room.origin, goal - room.origin)
+        if isinstance(found, Plan):
+            return found
+        arcs = _path(found, room, scenario)
+        bounds = Bounds(
+            self.curvature(self.smooth_lateral), self.curvature_rate(self.smooth_rate), self.margin,
+            _radians(self.start_heading), _radians(self.goal_heading),
+        )  # fmt: skip
+        points = smoothed(found, self.step / STATIONS, room, body, bounds)
+        if points is None or self._touches(points + room.origin, scenario):
+            what = f"no path near the arcs keeps to {self.smooth_lateral:g} g and clear, so they are left as they are"
+            return Plan(paths=(arcs,), stages=(Stage(ARCS, (arcs,)),), notes=(what,))
+        path = _path(points, room, scenario)
+        if scenario.max_range is not None and path.length > scenario.max_range:
+            what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m"
+            return Plan(outcome=NOT_FOUND, reason=what, stages=(Stage(ARCS, (arcs,)), Stage(SMOOTH, (path,))))
+        return Plan(
+            paths=(path,),
+            polylines=(arcs,),
+            stages=(Stage(ARCS, (arcs,)), Stage(SMOOTH, (path,))),
+            smallest_radius=1.0 / bounds.curvature,
+        )
+
+    def _search(self, room: Room, body: Body, start: Floats, goal: Floats) -> Floats | Plan:
+        """Points (N, 2) on the arcs from `start` to `goal` (2,) [m from the grid's corner], or why there are none."""
+        radius = body.radius + self.margin
+        home, home_cell = _ways_home(room, radius - float(np.abs(body.along).min()), goal)
+        if not math.isfinite(home[_cell(home, start, home_cell)]):
+            # A proof asks of the field no more than that it may err by, once more
+            home, home_cell = _ways_home(room, self.clearance - 2.0 * HALF_DIAGONAL * room.cell, goal)
+            if not math.isfinite(home[_cell(home, start, home_cell)]):
+                what = f"obstacles and edges leave no way {self.width:g} m wide from start to goal"
+                return Plan(outcome=NO_PATH, reason=what)
+        longest = float(room.size.max())
+        pose_cell = max(self.step / STEP_CELLS, longest / POSE_CELLS)
+        cells = np.floor(room.size / pose_cell).astype(int) + 1
+        seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
+        goal_heading = _radians(self.goal_heading)
+        last, looked, nodes, parents = search(
+            room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
+            home, home_cell, self._starts(start), goal, FREE_HEADING if goal_heading is None else goal_heading,
+            self.step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * self.step,
+            seen, pose_cell, self.most,
+        )  # fmt: skip
+        if last < 0:
+            ended = (
+                f"none of {looked} poses leads on" if last == -1 else f"{self.most} poses were looked at, the `most`"
+            )
+            what = (
+                f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {self.lateral:g} g was found: {ended}"
+            )
+            return Plan(outcome=NOT_FOUND, reason=what)
+        return _drawn(last, nodes, parents)
+
+    def _touches(self, points: Floats, scenario: Scenario) -> bool:
+        """Whether the body touches anything at one of `points` (N, 2) [m]."""
+        east, north = np.gradient(points, axis=0).T
+        body = Rectangle(self.length, self.width, self.length / 2.0 - self.overhang)
+        return bool(clearance(scenario.map, np.column_stack([points, np.arctan2(north, east)]), body).min() < 0.0)
+
+    def _cell(self, scenario: Scenario) -> float:
+        """The side [m] of the cells: that of the map's picture, else as fine as the body asks for and time allows."""
+        if self.cell is not None:
+            return self.cell * scenario.unit
+        if scenario.map.raster is not None:
+            return scenario.map.raster.cell
+        longest = max(scenario.size)
+        return max(longest / MOST_CELLS, min(longest / FEW_CELLS, self.width / CELLS_ACROSS))
+
+    def _starts(self, start: Floats) -> Floats:
+        """The poses (S, 3) to start from: with all headings, or the one given."""
+        given = _radians(self.start_heading)
+        headings = np.arange(HEADINGS) * (2.0 * math.pi / HEADINGS) if given is None else np.array([given])
+        return np.column_stack([np.tile(start, (len(headings), 1)), headings])
+
+
+def _path(points: Floats, room: Room, scenario: Scenario) -> Path:
+    """The path through `points` (N, 2) [m from the grid's corner], just from start to goal.
+
+    In whole micrometres, for the last bits of what a solver gives are the machine's.
+    """
+    xy = np.round(points + room.origin, 6)
+    xy[0], xy[-1] = scenario.starts[0], scenario.goals[0]
+    return Path(xy, name=scenario.name, frame=scenario.map.frame)
+
+
+def _ways_home(room: Room, least: float, goal: Floats) -> tuple[Floats, float]:
+    """The way [cells] to the `goal` from every cell some point of which has `least` [m] of room, and the side of those.
+
+    Such a point is at most half a diagonal from the centre whose room is known, and that is of a cell that is free.
+    """
+    factor = max(1, round(max(room.field.shape) / HOME_CELLS))
+    half_diagonal = HALF_DIAGONAL * room.cell
+    free = pooled(room.field, factor, max(least - half_diagonal, 1e-6 - half_diagonal))
+    row, column = _cell(free, goal, factor * room.cell)
+    free[row, column] = True
+    return ways_home(free, row, column), factor * room.cell
+
+
+def _cell(cells: Floats | Bools, point: Floats, side: float) -> tuple[int, int]:
+    column, row = np.minimum((point / side).astype(int), np.array(cells.shape[::-1]) - 1)
+    return int(row), int(column)
+
+
+def _drawn(last: int, nodes: Floats, parents: Ints) -> Floats:
+    """Points (N, 2) on the arcs that end at the node `last`."""
+    chain = [last]
+    while parents[chain[-1]] >= 0:
+        chain.append(int(parents[chain[-1]]))
+    return drawn(nodes[chain[::-1]], DRAWN)
+
+
+def _radians(degrees: float | None) -> float | None:
+    return None if degrees is None else math.radians(degrees)
