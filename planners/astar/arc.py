@@ -77,20 +77,20 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
             self.curvature(self.smooth_lateral), self.curvature_rate(self.smooth_rate), self.margin,
             _radians(self.start_heading), _radians(self.goal_heading),
         )  # fmt: skip
+        stages: tuple[Stage, ...] = (Stage(ARCS, (arcs,)),)
+        notes: tuple[str, ...] = ()
         points = smoothed(found, self.step / STATIONS, room, body, bounds)
         if points is None or self._touches(points + room.origin, scenario):
             what = f"no path near the arcs keeps to {self.smooth_lateral:g} g and clear, so they are left as they are"
-            return Plan(paths=(arcs,), stages=(Stage(ARCS, (arcs,)),), notes=(what,))
-        path = _path(points, room, scenario)
+            path, notes = arcs, (what,)
+        else:
+            path = _path(points, room, scenario)
+            stages = (*stages, Stage(SMOOTH, (path,)))
         if scenario.max_range is not None and path.length > scenario.max_range:
             what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m"
-            return Plan(outcome=NOT_FOUND, reason=what, stages=(Stage(ARCS, (arcs,)), Stage(SMOOTH, (path,))))
-        return Plan(
-            paths=(path,),
-            polylines=(arcs,),
-            stages=(Stage(ARCS, (arcs,)), Stage(SMOOTH, (path,))),
-            smallest_radius=1.0 / bounds.curvature,
-        )
+            return Plan(outcome=NOT_FOUND, reason=what)
+        curvature = self.curvature(self.lateral) if path is arcs else bounds.curvature
+        return Plan(paths=(path,), polylines=(arcs,), stages=stages, notes=notes, smallest_radius=1.0 / curvature)
 
     def _search(self, room: Room, body: Body, start: Floats, goal: Floats) -> Floats | Plan:
         """Points (N, 2) on the arcs from `start` to `goal` (2,) [m from the grid's corner], or why there are none."""

@@ -12,7 +12,7 @@ from planners.astar.smooth_kernels import bends, contacts, normals
 from planners.kernel import Floats
 
 WITHIN = 1e-3  # [1] relative, how far beyond a bound counts as kept
-PRICES = (1e4, 1e4, 2e2)  # [m] of length for all of a bound on curvature, on its change, and for a metre of margin
+PRICES = (2e3, 1e3, 50.0)  # [m] of length for all of a bound on curvature, on its change, and for a metre of margin
 ACCURACY = 1e-6  # of the quadratic programs, absolute and relative
 
 
@@ -57,7 +57,7 @@ class Linear:
 
 
 def linearised(points: Floats, room: Room, body: Body, bounds: Bounds, near: float) -> Linear:
-    """The bounds about the path through `points` (N, 2) [m]; what is farther from the body than `near` [m] is no bound."""
+    """The bounds about the path through `points` (N, 2) [m]; only what is as `near` [m] to the body is one."""
     n, left = len(points), normals(points)
     length = float(np.hypot(*np.diff(points, axis=0).T).sum())
     leg = length / (n - 1)

@@ -58,6 +58,6 @@ def room_of(scenario: Scenario, cell: float) -> Room:
 def body_of(settings: TruckSettings) -> Body:
     """The discs that cover the vehicle's rectangle, each as long a piece of it."""
     piece, half = settings.length / DISCS, settings.width / 2.0
-    along: Floats = (np.arange(DISCS) + 0.5) * piece - settings.overhang
+    along = np.array([(i + 0.5) * piece - settings.overhang for i in range(DISCS)])
     middle = settings.length / 2.0 - settings.overhang
     return Body(along, math.hypot(piece / 2.0, half), middle, math.hypot(settings.length / 2.0, half))

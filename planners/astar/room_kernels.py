@@ -21,7 +21,8 @@ def room_at(field: Floats, cell: float, x: float, y: float) -> float:
     a, b = u - column, v - row
     south = field[row, column] * (1.0 - a) + field[row, column + 1] * a
     north = field[row + 1, column] * (1.0 - a) + field[row + 1, column + 1] * a
-    return south * (1.0 - b) + north * b
+    between: float = south * (1.0 - b) + north * b
+    return between
 
 
 @kernel

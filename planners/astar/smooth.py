@@ -13,6 +13,7 @@ from planners.kernel import Floats
 ROUNDS = 20  # of linearising and solving; 4 to 8 are common
 CLOSE_ENOUGH = 0.01  # [m] a round that gains no more than this is the last
 TRUST = 4.0  # [distances of points] no point moves farther in a round
+UNEQUAL = 1.5  # longest over shortest leg
 LAST_TRUST = 1e-3  # [m]
 
 
@@ -23,15 +24,19 @@ def smoothed(points: Floats, spacing: float, room: Room, body: Body, bounds: Bou
     the body's place with it if need be: who asks must look.
 
     Sequential quadratic programming with elastic bounds in a trust region (Nocedal and Wright 2006, ch. 18), the
-    quadratic programs by PIQP (Schwan et al. 2023). Every point moves along its normal; between rounds they are spaced
-    evenly on a cubic spline through them.
+    quadratic programs by PIQP (Schwan et al. 2023). Every point moves along its normal; where that leaves legs too
+    unequal, they are spaced evenly on a cubic spline through them.
     """
     widest = TRUST * spacing
     now, trust = linearised(_even(points, spacing), room, body, bounds, widest), widest
     for _ in range(ROUNDS):
         shifts = best_shifts(now, trust)
         moved = float(np.abs(shifts).max())
-        then = linearised(_even(now.points + shifts[:, None] * now.left, spacing), room, body, bounds, widest)
+        moved_points = now.points + shifts[:, None] * now.left
+        legs = np.hypot(*np.diff(moved_points, axis=0).T)
+        if legs.max() > UNEQUAL * legs.min():
+            moved_points = _even(moved_points, spacing)
+        then = linearised(moved_points, room, body, bounds, widest)
         gain = now.merit - then.merit
         if gain < 0.0:
             trust = 0.3 * min(trust, moved)

@@ -45,8 +45,11 @@ def bends(points: Floats, left: Floats, before: Floats, after: Floats) -> tuple[
         aa, bb = ax * ax + ay * ay, bx * bx + by * by
         mean = 0.5 * (math.sqrt(aa) + math.sqrt(bb))
         curvature[i] = math.atan2(ax * by - ay * bx, ax * bx + ay * by) / mean
-        # A leg's heading turns by the normal component of its ends' motion over its length
-        px, py, qx, qy = -ay / aa, ax / aa, -by / bb, bx / bb
+        # A leg's heading turns by the normal component of its ends' motion over its length, and the tangential one
+        # makes it longer, and the curvature as much smaller
+        a, b, less = math.sqrt(aa), math.sqrt(bb), 0.5 * curvature[i]
+        px, py = -ay / aa + less * ax / a, ax / aa + less * ay / a
+        qx, qy = -by / bb - less * bx / b, bx / bb - less * by / b
         if i > 0:
             by_shift[i, 0] = (px * left[i - 1, 0] + py * left[i - 1, 1]) / mean
         by_shift[i, 1] = -((px + qx) * left[i, 0] + (py + qy) * left[i, 1]) / mean
@@ -58,6 +61,9 @@ def bends(points: Floats, left: Floats, before: Floats, after: Floats) -> tuple[
         for k in range(3):
             changes_by[i, k] -= by_shift[i, k] / legs[i]
             changes_by[i, k + 1] += by_shift[i + 1, k] / legs[i]
+        tx, ty = (points[i + 1, 0] - points[i, 0]) / legs[i], (points[i + 1, 1] - points[i, 1]) / legs[i]
+        changes_by[i, 1] += change[i] * (tx * left[i, 0] + ty * left[i, 1]) / legs[i]
+        changes_by[i, 2] -= change[i] * (tx * left[i + 1, 0] + ty * left[i + 1, 1]) / legs[i]
     return curvature, by_shift, change, changes_by
 
 
