@@ -26,3 +26,8 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
     def planned_speed(self) -> float:
         """The speed [m/s]."""
         return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
+
+
+def speed_of(planner: object) -> float | None:
+    """The speed [m/s] that `planner` plans for, None where it knows of none."""
+    return planner.planned_speed if isinstance(planner, SpeedSettings) else None
