@@ -22,7 +22,6 @@ _WORDS = {
     "turn_radius_required": "turn radius needed",
     "turn_margin": "turn radius margin",
     "lateral_acceleration_demanded": "lateral acceleration asked",
-    "lateral_acceleration_needed": "lateral acceleration the path needs",
 }
 _STATISTICS = {"max": "max", "min": "min", "mean": "mean", "rms": "RMS", "p50": "median"}
 _STATISTIC = re.compile(r"(\w+)_(max|min|mean|rms|p\d+)")

@@ -105,8 +105,8 @@ def _bank(outcome: Outcome) -> Panel | None:
 
 
 def _steering(outcome: Outcome) -> Panel | None:
-    able = math.atan(outcome.limits.curvature_max * outcome.limits.equivalent_length)
-    return _angle(outcome, "Steering", "°", "steering", _stated(outcome, "steering_max") or able)
+    limit = _stated(outcome, "steering_max") or outcome.limits.steering_max
+    return _angle(outcome, "Steering", "°", "steering", limit)
 
 
 def _steering_rate(outcome: Outcome) -> Panel | None:

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import msgspec
 
+from planners.planner import Planner
 from planners.units import parse_speed
 
 DEFAULT_SPEED = 45.0 / 3.6  # [m/s]
@@ -28,6 +29,6 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
         return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
 
 
-def speed_of(planner: object) -> float | None:
-    """The speed [m/s] that `planner` plans for, None where it knows of none."""
+def planned_speed(planner: Planner) -> float | None:
+    """The speed [m/s] that `planner` plans for, None for one that plans for no speed."""
     return planner.planned_speed if isinstance(planner, SpeedSettings) else None

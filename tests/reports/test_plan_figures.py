@@ -6,7 +6,7 @@ import pytest
 from PIL import Image
 
 from planners.all_planners import make_planner
-from planners.astar.settings import SpeedSettings, speed_of
+from planners.astar.settings import SpeedSettings, planned_speed
 from planners.map import Map, Raster
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
@@ -237,6 +237,6 @@ def test_a_plan_for_a_speed_without_a_path_is_drawn(square):
 
 
 def test_a_planner_that_knows_its_speed_says_it():
-    assert speed_of(SpeedSettings(speed="60km/h")) == pytest.approx(SPEED)
-    assert speed_of(SpeedSettings()) == 12.5
-    assert speed_of(make_planner("exact")) is None
+    assert planned_speed(SpeedSettings(speed="60km/h")) == pytest.approx(SPEED)
+    assert planned_speed(SpeedSettings()) == 12.5
+    assert planned_speed(make_planner("exact")) is None
