@@ -24,6 +24,7 @@ class Beside(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tr
     ants: str = ""
     comparison: str = ""
     roadmap: str = ""
+    sectors: str = ""
 
 
 class Claim(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):

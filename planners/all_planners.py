@@ -10,6 +10,7 @@ import numpy as np
 from planners.aco.basic import AcoBasic, AcoBasicPrinted
 from planners.aco.improved import AcoImproved
 from planners.aco.turn_aware import AcoTurnAware
+from planners.astar.arc_printed import AstarArcPaper
 from planners.errors import InputError
 from planners.exact import Exact
 from planners.pio.vdp import Vdp, VdpPio
@@ -20,6 +21,7 @@ from planners.voronoi.vd import Vd
 
 ALL_PLANNERS: tuple[type[Planner], ...] = (
     Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware, Vd, VdpPio, Vdp,
+    AstarArcPaper,
 )  # fmt: skip
 
 

@@ -9,9 +9,10 @@ from pathlib import Path
 from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
 from planners.all_planners import plan_with
+from planners.astar.arc_printed import AstarArcPaper
 from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
-from planners.planner import History, Plan
+from planners.planner import NO_PATH, History, Plan
 from reports.colony_figure import save_colony_figure, shown_iterations
 from reports.comparison_figure import save_comparison_figure
 from reports.convergence_figure import HIGHEST, LOW, save_convergence_figure
@@ -19,6 +20,7 @@ from reports.flown_figure import save_flown_figure
 from reports.plan_figure import save_plan_figure
 from reports.quantity import number
 from reports.roadmap_figure import has_roadmap, save_roadmap_figure
+from reports.sector_figure import COLUMNS, save_sector_figure
 from reports.slug import slug
 from reports.trials_words import worst_name
 from tracking.outcome import Outcome
@@ -40,9 +42,9 @@ def draw_plans(
 ) -> list[Picture]:
     """Draw `plans` of one scenario, by label, as PNG files that begin with `stem`.
 
-    The roadmap, the searches in the same axes, each planner's plan, each one's ants, and then the runs: of the first
-    case of each planner that of `outcomes`, by the name of the case; fleets have a page for each case instead. The same
-    plans give the same bytes.
+    The roadmap, the sectors of A* by arcs, the searches in the same axes, each planner's plan, each one's ants, and
+    then the runs: of the first case of each planner that of `outcomes`, by the name of the case; fleets have a page for
+    each case instead. The same plans give the same bytes.
     """
     planned = {
         name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
@@ -52,6 +54,7 @@ def draw_plans(
     counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
     return [
         *_draw_roadmap(plans, planned, stem),
+        *_draw_sectors(plans, planned, stem),
         *_draw_convergence(plans, counted, stem),
         *_draw_comparison(plans, colonies, stem),
         *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
@@ -121,6 +124,20 @@ def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], s
     steps = _listed([f"the {found[name].stages[0].name}", *(stage.name for stage in found[name].stages[1:])])
     beside = _beside(claim.beside.roadmap for other in plans.values() for claim in other.claims)
     return [Picture(file, f"The Voronoi roadmap, and the paths of {name} after {steps}.{beside}")]
+
+
+def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
+    """Of A* by arcs, as printed, the first three that had a map to search."""
+    searched = {name: plans[name].planner for name, plan in planned.items() if plan.outcome != NO_PATH}
+    arcs = {name: planner for name, planner in searched.items() if isinstance(planner, AstarArcPaper)}
+    names = list(arcs)[:COLUMNS]
+    if not names:
+        return []
+    file = _file(stem, "sectors")
+    save_sector_figure(plans[names[0]].scenario, {name: arcs[name] for name in names}, file)
+    what = "above, of its sectors the one that an obstacle cuts most and leaves a way on; below, where it ended."
+    beside = _beside(claim.beside.sectors for name in names for claim in plans[name].claims)
+    return [Picture(file, f"{_listed(names)}: {what}{beside}")]
 
 
 def _draw_flown(

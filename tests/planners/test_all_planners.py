@@ -17,7 +17,8 @@ from sample_maps import FREE, GATE, ONE_CIRCLE, UNIT, WALLED, box, room, scenari
 NAMES = [planner.name for planner in ALL_PLANNERS]
 COLONIES = [name for name in NAMES if name.startswith("aco-")]
 ROADMAPS = [name for name in NAMES if name.startswith("vd")]
-FINDING = [name for name in NAMES if name != "aco-basic-printed"]
+PRINTED = ("aco-basic-printed", "astar-arc-paper")  # as their papers print them, and may find nothing
+FINDING = [name for name in NAMES if name not in PRINTED]
 SMALL = {"turn_radius": 5.0 * UNIT, "ants": 20, "iterations": 4, "max_range": 1000.0, "pigeons": 40}
 SMALL |= {"compass_iterations": 20, "landmark_iterations": 5}
 
