@@ -71,6 +71,7 @@ DEFAULT_LIMITS = {
     "steering_rate_max": Limit(1.0, 0.10),
     "lateral_acceleration_max": Limit(0.05, 0.05),
     "lateral_acceleration_demanded": Limit(0.05, 0.10),
+    "lateral_acceleration_needed": Limit(0.05, 0.05),
     "friction_use_max": Limit(0.005, 0.05),
 }
 

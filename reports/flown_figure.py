@@ -14,7 +14,7 @@ from reports.focus import focus
 from reports.layout import LEFT, RIGHT, Box
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
-from reports.panels import panels
+from reports.panels import error_panel
 from reports.series_panel import draw_panel, mark_unreached
 from reports.style import FAIL_BADGE, MUTED, PASS_BADGE, VERMILION, WIDTH, error_colours, new_figure, place, save, style
 from reports.ticks import BROAD, HIGH, length_unit, ticks
@@ -92,7 +92,7 @@ def _draw_error(figure: Figure, outcome: Outcome, box: Box) -> None:
     axes = place(figure, box.left, box.top, box.width, box.height)
     scale, unit = length_unit(outcome.path.length)
     axes.set_xlim(-0.01 * outcome.path.length, 1.01 * outcome.path.length)
-    draw_panel(axes, outcome, panels(outcome)[0], focus(outcome))
+    draw_panel(axes, outcome, error_panel(outcome), focus(outcome))
     mark_unreached(axes, outcome)
     ticks(axes.yaxis, box.height / HIGH)
     ticks(axes.xaxis, box.width / BROAD, scale)

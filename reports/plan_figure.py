@@ -14,6 +14,7 @@ from planners.planner import Plan
 from planners.scenario import Scenario
 from reports.fleet_plan_figure import fleet_plan_figure
 from reports.layout import LEFT, RIGHT, Box
+from reports.needed_panel import WITHIN, draw_beyond, draw_worst, needed_entries
 from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, total, whole_map
 from reports.plan_rows import is_fleet
 from reports.plan_search import draw_search
@@ -30,29 +31,39 @@ _GAP = 0.8  # [in] between panels side by side
 _MOST_TURNS = 3
 
 
-def save_plan_figure(scenario: Scenario, plans: Mapping[str, Plan], file: str | Path, clearance: float = 0.0) -> None:
+def save_plan_figure(
+    scenario: Scenario,
+    plans: Mapping[str, Plan],
+    file: str | Path,
+    clearance: float = 0.0,
+    speed: float | None = None,
+) -> None:
     """Write the picture of `plans`, by name, as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
     The one plan of a fleet has a picture of its own. The yardstick is the exact shortest path that keeps `clearance`
-    [m]. The same plans give the same bytes. Raises `InputError` where the folder does not exist.
+    [m]. Plans for a ground vehicle's `speed` [m/s] are coloured by the lateral acceleration that they need. The same
+    plans give the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
         if is_fleet(scenario) and len(plans) == 1:
             ((name, plan),) = plans.items()
             save(fleet_plan_figure(scenario, name, plan, clearance), file)
         else:
-            save(plan_figure(scenario, plans, clearance), file)
+            save(plan_figure(scenario, plans, clearance, speed), file)
 
 
-def plan_figure(scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0) -> Figure:
+def plan_figure(
+    scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0, speed: float | None = None
+) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
-    colours = colours_of(plans)
+    colours = colours_of(plans) if speed is None else dict.fromkeys(plans, WITHIN)
     exact, view = shortest(scenario, clearance), whole_map(scenario)
     turns = [name for name, plan in plans.items() if plan.paths][:_MOST_TURNS]
     histories = {name: plan.history for name, plan in plans.items() if plan.history is not None}
     top = _NAME + _LINE * len(plans) + 0.12
     world = Box(LEFT, top, _FULL, min(_HIGHEST, max(_LOWEST, _FULL * view.height / view.width)))
-    near, search, bottom = _rows(world.bottom + _LABELS + _KEY + _TITLE, len(turns), bool(histories))
+    key = _KEY if speed is None else _KEY + _LINE
+    near, search, bottom = _rows(world.bottom + _LABELS + key + _TITLE, len(turns), bool(histories))
     figure = new_figure(bottom + _BOTTOM)
     _draw_head(figure, scenario, plans, colours, exact)
     view = view.filled(world.width / world.height)
@@ -62,15 +73,19 @@ def plan_figure(scenario: Scenario, plans: Mapping[str, Plan], clearance: float 
     draw_exact(axes, exact)
     for name, plan in plans.items():
         draw_lines(axes, plan, colours[name])
+        if speed is not None and plan.paths:
+            draw_beyond(axes, plan, speed)
+            draw_worst(axes, plan, speed)
     for name, box in zip(turns, near, strict=True):
         around = turn_view(scenario, plans[name]).filled(box.width / box.height)
         frame = Rectangle((around.x_min, around.y_min), around.width, around.height)
         frame.set(facecolor="none", edgecolor=colours[name], linewidth=0.9, zorder=6)
         axes.add_patch(frame)
-        draw_turn(
-            place(figure, box.left, box.top, box.width, box.height), scenario, plans[name], exact, name, colours[name]
-        )
-    _draw_key(figure, scenario, world, plans, _yardstick(exact, clearance))
+        near_axes = place(figure, box.left, box.top, box.width, box.height)
+        draw_turn(near_axes, scenario, plans[name], exact, name, colours[name])
+        if speed is not None:
+            draw_beyond(near_axes, plans[name], speed)
+    _draw_key(figure, scenario, world, plans, _yardstick(exact, clearance), speed)
     if search is not None:
         draw_search(figure, search, histories, colours, total(exact))
     return figure
@@ -137,14 +152,19 @@ def _yardstick(exact: Sequence[PlannedPath], clearance: float) -> str:
     return f"exact shortest{apart}: {text(least, 'm', 4)}"
 
 
-def _draw_key(figure: Figure, scenario: Scenario, world: Box, plans: Mapping[str, Plan], yardstick: str) -> None:
-    """What the marks of the map mean, in a row under it."""
+def _draw_key(
+    figure: Figure, scenario: Scenario, world: Box, plans: Mapping[str, Plan], yardstick: str, speed: float | None
+) -> None:
+    """What the marks of the map mean, in a row under it, and its colours at a `speed` [m/s] in another."""
     entries = ground_entries(scenario)
     if yardstick:
         entries.append(Line2D([], [], color=INK, linewidth=0.7, label=yardstick))
     if any(plan.polylines and plan.smallest_radius is not None for plan in plans.values()):
         entries.append(Line2D([], [], color=MUTED, linewidth=0.9, linestyle=DASHES, label="before smoothing"))
-    figure.legend(
-        handles=entries, loc="upper left", ncols=len(entries), borderaxespad=0.0, columnspacing=1.6, handletextpad=0.6,
-        bbox_to_anchor=(LEFT / WIDTH, 1.0 - (world.bottom + _LABELS + 0.04) / figure.get_size_inches()[1]),
-    )  # fmt: skip
+    needed = [] if speed is None else needed_entries(plans.values(), speed)
+    for i, row in enumerate(filter(None, [entries, needed])):
+        top = world.bottom + _LABELS + 0.04 + i * _LINE
+        figure.legend(
+            handles=row, loc="upper left", ncols=len(row), borderaxespad=0.0, columnspacing=1.6, handletextpad=0.6,
+            bbox_to_anchor=(LEFT / WIDTH, 1.0 - top / figure.get_size_inches()[1]),
+        )  # fmt: skip

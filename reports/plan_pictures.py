@@ -10,6 +10,7 @@ from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
 from planners.all_planners import plan_with
 from planners.astar.arc_printed import AstarArcPaper
+from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
 from planners.planner import NO_PATH, History, Plan
 from reports.colony_figure import save_colony_figure, shown_iterations
@@ -76,7 +77,7 @@ def chosen_iterations(history: History) -> tuple[int, ...]:
 
 def _draw_plan(name: str, one: PlannedBy, plan: Plan, stem: Path) -> Picture:
     file = _file(stem, name)
-    save_plan_figure(one.scenario, {name: plan}, file, one.planner.clearance)
+    save_plan_figure(one.scenario, {name: plan}, file, one.planner.clearance, planned_speed(one.planner))
     return Picture(file, _plan_caption(name, one, plan) + _beside(claim.beside.plan for claim in one.claims))
 
 
@@ -179,7 +180,9 @@ def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
     parts += ["its sharpest turn from near"]
     parts += ["length and arrivals by iteration"] if plan.history is not None else []
-    return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path."
+    speed = planned_speed(one.planner)
+    much = "" if speed is None else f" Where it asks too much at {number(3.6 * speed)} km/h, it is red."
+    return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path.{much}"
 
 
 def _ants_caption(name: str, history: History, shown: Sequence[int]) -> str:

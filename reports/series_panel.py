@@ -1,4 +1,4 @@
-"""What a run did over the distance along its path: error, curvature, and what the vehicle gave for it."""
+"""What a run did over the distance along its path: its error, and what it asked of the vehicle against its limits."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from planners.kernel import Floats
 from reports.decimate import envelope
 from reports.focus import Focus
 from reports.panels import Panel
-from reports.style import BLUE, CORRIDOR, LIMIT, MARK, MUTED, ORANGE, PAPER, TIGHT
+from reports.style import BLUE, CORRIDOR, INK, LIMIT, MARK, MUTED, ORANGE, PAPER, TIGHT
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
@@ -20,45 +20,49 @@ if TYPE_CHECKING:
 _BINS = 1100  # about the pixels of a panel
 _THINNEST_BAR = 0.006  # of the path's length
 _BAR, _HEADROOM = 0.93, 1.25  # where the bar begins, of the panel's height, and how far the axis goes beyond the values
+_MOST_NEEDED = 3.0  # times the limit, up to which the axis goes for what a path needs: a corner may need any
 
 
-def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None) -> None:
-    """Draw `panel` on `axes`; the x axis is the arc length along the path [m]."""
-    s, y = outcome.track["s"], panel.factor * outcome.track[panel.column]
-    ceiling = _span(axes, outcome, panel, y)
+def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None, legend: bool = True) -> None:
+    """Draw `panel` on `axes`, with a `legend` above; the x axis is the arc length along the path [m]."""
+    s = outcome.track["s"]
+    ceiling = _span(axes, panel)
     if panel.corridor is not None:
         axes.axhspan(-panel.corridor, panel.corridor, color=CORRIDOR, alpha=0.22, linewidth=0, label="corridor")
     if panel.symmetric:
         axes.axhline(0.0, color="#aab4be", linewidth=0.7, zorder=1.5)
     if panel.limit is not None:
         _limit(axes, s, panel.limit, ceiling)
+    if panel.grip is not None:
+        _grip(axes, panel.grip)
+    if panel.needed is not None:
+        axes.plot(*panel.needed, color=INK, linewidth=0.8, label="needed", zorder=3.2)
     if panel.command is not None:
-        _line(axes, s, panel.factor * outcome.track[panel.command], ORANGE, 1.0, "commanded")
-    _line(axes, s, y, BLUE, 1.4, "driven" if outcome.limits.kind == "ground" else "flown")
+        _line(axes, s, panel.command, ORANGE, 1.0, "commanded")
+    _line(axes, s, panel.values, BLUE, 1.4, "driven" if outcome.limits.kind == "ground" else "flown")
     _tight(axes, outcome)
     if marked is not None:
-        _mark(axes, marked, y)
+        _mark(axes, marked, panel.values)
     axes.set_title(f"{panel.title} [{panel.unit}]")
-    axes.legend(
-        loc="lower right",
-        bbox_to_anchor=(1.0, 1.0),
-        ncols=4,
-        borderaxespad=0.15,
-        handlelength=1.2,
-        columnspacing=0.8,
-        handletextpad=0.5,
-    )
+    if legend:
+        axes.legend(
+            loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=5, borderpad=0.0, borderaxespad=0.5, handlelength=1.1,
+            columnspacing=0.55, handletextpad=0.3,
+        )  # fmt: skip
 
 
-def _span(axes: Axes, outcome: Outcome, panel: Panel, y: Floats) -> float:
-    """Set the y axis so that limit and values are seen but a single spike rules nothing; returns its upper end."""
-    finite = np.abs(y[np.isfinite(y)])
+def _span(axes: Axes, panel: Panel) -> float:
+    """Set the y axis so that limits and values are seen but a single spike rules nothing; returns its upper end."""
     if not panel.symmetric:
         return math.nan
+    finite = np.abs(panel.values[np.isfinite(panel.values)])
     limit = panel.limit[np.isfinite(panel.limit)] if panel.limit is not None else np.empty(0)
     wanted = [1.3 * float(np.median(limit))] if len(limit) else []
     wanted += [1.3 * panel.corridor] if panel.corridor is not None else []
+    wanted += [1.3 * panel.grip] if panel.grip is not None else []
     wanted += [_HEADROOM * float(finite.max())] if len(finite) else []
+    if panel.needed is not None and len(limit):
+        wanted.append(_HEADROOM * min(float(np.abs(panel.needed[1]).max()), _MOST_NEEDED * float(np.median(limit))))
     ceiling = max(wanted, default=1.0) or 1.0
     axes.set_ylim(-ceiling, ceiling)
     return ceiling
@@ -70,6 +74,12 @@ def _limit(axes: Axes, s: Floats, limit: Floats, ceiling: float) -> None:
         axes.fill_between(s[kept], sign * limit[kept], sign * ceiling, color=LIMIT, alpha=0.09, linewidth=0)
         label = "limit" if sign > 0.0 else None
         axes.plot(s[kept], sign * limit[kept], color=LIMIT, linewidth=0.9, linestyle=(0, (5, 2)), label=label)
+
+
+def _grip(axes: Axes, grip: float) -> None:
+    for sign in (1.0, -1.0):
+        label = "grip" if sign > 0.0 else None
+        axes.axhline(sign * grip, color=MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)), label=label)
 
 
 def _line(axes: Axes, s: Floats, y: Floats, colour: str, width: float, label: str) -> None:

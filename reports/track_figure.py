@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+_NARROW = 2.5  # [in] a narrower series has no room for a legend, and its neighbour's
+
+
 def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False, trial: str = "") -> None:
     """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
@@ -45,12 +48,12 @@ def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False, tr
 def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
-    aspect, count = view.width / view.height, len(shown)
+    aspect, count, lead = view.width / view.height, len(shown), shown[0].needed is not None
     head = head_of(outcome, trial, member_name(outcome))
     if page:
-        plan = member_layout(count) if outcome.fleet else page_layout(aspect, count)
+        plan = member_layout(count) if outcome.fleet else page_layout(aspect, count, lead)
     else:
-        plan = layout(aspect, count, header_height(head))
+        plan = layout(aspect, count, header_height(head), lead)
     figure = new_figure(plan.height)
     if not page:
         draw_header(figure, head)
@@ -63,15 +66,15 @@ def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figur
         draw_near(_axes(figure, plan.near), outcome, marked, near)
     _draw_key(figure, outcome, marked, plan)
     scale, unit = length_unit(outcome.path.length)
-    for panel, box, lowest in zip(shown, plan.series, plan.lowest, strict=True):
+    for panel, box, lowest, labelled in zip(shown, plan.series, plan.lowest, plan.labelled, strict=True):
         axes = _axes(figure, box)
         axes.set_xlim(-0.01 * outcome.path.length, 1.01 * outcome.path.length)
-        draw_panel(axes, outcome, panel, marked)
+        draw_panel(axes, outcome, panel, marked, legend=box.width > _NARROW)
         mark_unreached(axes, outcome)
         ticks(axes.yaxis, box.height / HIGH)
         ticks(axes.xaxis, box.width / BROAD, scale)
         axes.tick_params(labelbottom=lowest)
-        if lowest:
+        if labelled:
             axes.set_xlabel(f"distance along the path [{unit}], left is positive")
     return figure
 

@@ -61,6 +61,9 @@ class Truck:
             footprint=Rectangle(BODY_LENGTH, BODY_WIDTH, ahead=WHEELBASE / 2),
             bounds=(Bound("lateral_acceleration_max", "<=", LATERAL_REQUIREMENT, "paper 004, eq. 8: 0.6 g"),),
             curvature_max=math.tan(STEERING_LIMIT) / WHEELBASE,
+            steering_max=STEERING_LIMIT,
+            steering_rate=STEERING_RATE,
+            friction=FRICTION,
         )
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:

@@ -65,9 +65,11 @@ def main(args: argparse.Namespace) -> int:
     for path, file in zip(plan.paths, paths, strict=bool(args.output)):
         files.write(path, file)
     if args.picture:
+        from planners.astar.settings import planned_speed
         from reports.plan_figure import save_plan_figure
 
-        save_plan_figure(scenario, {planner.name: plan}, args.picture, planner.clearance)
+        speed = planned_speed(planner)
+        save_plan_figure(scenario, {planner.name: plan}, args.picture, planner.clearance, speed)
     if args.json:
         from reports.plan_json import plan_json
 

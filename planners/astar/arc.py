@@ -13,8 +13,8 @@ from planners.astar.home_kernels import pooled, ways_home
 from planners.astar.linearised import Bounds
 from planners.astar.room import HALF_DIAGONAL, Body, Room, body_of, room_of
 from planners.astar.room_kernels import drawn
-from planners.astar.settings import TruckSettings
 from planners.astar.smooth import smoothed
+from planners.astar.truck_settings import TruckSettings
 from planners.clearance import clearance
 from planners.fleet import fleet_ends
 from planners.footprint import Rectangle

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planners.astar.settings import TruckSettings
+from planners.astar.truck_settings import TruckSettings
 from planners.kernel import Floats
 from planners.occupancy import clearance_field, extent, occupancy
 from planners.scenario import Scenario

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated
 
 import msgspec
 
-from planners.astar.heading_limits import LATERAL, STEP_TIME, curvature_limit
-from planners.units import STANDARD_GRAVITY, parse_speed
+from planners.planner import Planner
+from planners.units import parse_speed
 
 DEFAULT_SPEED = 45.0 / 3.6  # [m/s]
 
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
-Angle = Annotated[float, msgspec.Meta(gt=0.0, lt=90.0)]
-Share = Annotated[float, msgspec.Meta(gt=0.0, le=2.0)]
 
 
 class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -32,36 +29,6 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
         return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
 
 
-class TruckSettings(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A ground vehicle in metres, degrees and g; by default the truck that is driven here.
-
-    Its body, `length` by `width`, reaches `overhang` behind the rear axle, which is its reference point. A path keeps
-    to `lateral` [g] and to `steering_limit` [deg] at the front wheels, and turns them by at most `steering_rate`
-    [deg/s].
-    """
-
-    wheelbase: Length = 4.5
-    length: Length = 7.0
-    width: Length = 2.5
-    overhang: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 1.25
-    lateral: Share = LATERAL
-    steering_limit: Angle = 45.0
-    steering_rate: Annotated[float, msgspec.Meta(gt=0.0, le=1000.0)] = 30.0
-
-    @property
-    def step(self) -> float:
-        """The way [m] from one steering action to the next (paper 004, eq. 10)."""
-        return self.planned_speed * STEP_TIME
-
-    def curvature(self, lateral: float) -> float:
-        """The largest curvature [1/m] that `lateral` [g] and the steering leave."""
-        return curvature_limit(
-            self.planned_speed, self.wheelbase, lateral * STANDARD_GRAVITY, math.radians(self.steering_limit)
-        )
-
-    def curvature_rate(self, steering_rate: float) -> float:
-        """How fast the curvature may change along the path [1/m^2], wheels turning at `steering_rate` [deg/s].
-
-        d(tan(delta) / L) / ds >= delta' / (L v), with which straight wheels begin.
-        """
-        return math.radians(steering_rate) / (self.wheelbase * self.planned_speed)
+def planned_speed(planner: Planner) -> float | None:
+    """The speed [m/s] that `planner` plans for, None for one that plans for no speed."""
+    return planner.planned_speed if isinstance(planner, SpeedSettings) else None

@@ -28,6 +28,7 @@ PLANE = Limits(
 TRUCK = Limits(
     kind="ground", speed=12.5, speed_min=1.0, speed_max=40.0, lateral_acceleration=0.6 * G, response_time=0.2,
     equivalent_length=4.5, corridor=0.5, footprint=Rectangle(7.0, 2.5, 2.25), curvature_max=1 / 4.5,
+    steering_rate=math.radians(30.0), friction=0.8,
 )  # fmt: skip
 PLANE_CHANNELS = ("bank", "pitch", "load_factor", "throttle")
 TRUCK_CHANNELS = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
@@ -177,6 +178,13 @@ def yard():
 @pytest.fixture(scope="session")
 def sharp_yard():
     return make_yard("sharp-yard", sharp=True)
+
+
+@pytest.fixture(scope="session")
+def road():
+    """Driven along a road much longer than wide."""
+    path = Path(np.array([(0.0, 0.0), (120.0, 0.0), (240.0, 12.0), (500.0, 0.0)]))
+    return outcome_of(path, None, TRUCK, drive(path, TRUCK, 12.5, 0.05, 6.0), name="road")
 
 
 @pytest.fixture

@@ -5,6 +5,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from planners.all_planners import make_planner
+from planners.astar.settings import SpeedSettings, planned_speed
 from planners.map import Map, Raster
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
@@ -12,6 +14,7 @@ from planners.scenario import Scenario, load_scenario
 from reports.colony_figure import colony_figure, save_colony_figure, shown_iterations
 from reports.comparison_figure import comparison_figure, save_comparison_figure
 from reports.flown_figure import flown_figure, save_flown_figure
+from reports.needed_panel import stretches_beyond, worst_place
 from reports.plan_figure import plan_figure, save_plan_figure
 from reports.plan_turn import sharpest
 from reports.style import style
@@ -175,3 +178,65 @@ def test_maps_of_any_shape(saved):
         plan = dataclasses.replace(made_up_plan(iterations=2, ants=2), paths=(path,), polylines=(path,))
         saved(lambda file, places=places, plan=plan: save_plan_figure(
             Scenario(name="$odd", map=area, **places), {"a": plan}, file))  # fmt: skip
+
+
+SPEED, STEP = 60 / 3.6, 60 / 3.6 * 0.5
+
+
+@pytest.fixture(scope="module")
+def square():
+    return load_scenario("target-vehicle-71m")
+
+
+def printed(turn_deg, run_up=20.0):
+    """A plan that turns left by `turn_deg` at the end of three steps of 0.5 s at 60 km/h, between straights."""
+    headings = np.radians(turn_deg) * np.array([0, 1, 2, 3])
+    lengths = np.array([run_up, STEP, STEP, 20.0])
+    legs = lengths[:, None] * np.column_stack([np.cos(headings), np.sin(headings)])
+    return Plan(paths=(Path(np.cumsum(np.vstack([[5.0, 5.0], legs]), axis=0)),))
+
+
+def test_a_turn_beyond_the_limit_is_one_stretch_around_its_corners():
+    """18 deg a step need 1.07 g; the middle of the turn is beyond, and the way in and out by 0.6 of 1.07 of a step."""
+    plan = printed(18.0)
+    (piece,) = stretches_beyond(plan.paths[0], SPEED)
+    ends = [plan.paths[0].project(*piece[i]).s for i in (0, -1)]
+    needed = SPEED * math.radians(18.0) / 0.5 / 9.80665
+    reach = STEP * (1.0 - 0.6 * 1.005 / needed)
+    assert ends == pytest.approx([20.0 - reach, 20.0 + 2 * STEP + reach], abs=0.05)
+    _, s, most = worst_place(plan, SPEED)
+    assert most == pytest.approx(needed)
+    assert 20.0 - 1e-9 <= s <= 20.0 + 2 * STEP + 1e-9
+
+
+@pytest.mark.parametrize("turn_deg", [0.0, 10.1])
+def test_a_turn_at_the_limit_is_not_beyond_it(turn_deg):
+    """0.6 g allow 10.1 deg a step of 0.5 s at 60 km/h."""
+    assert stretches_beyond(printed(turn_deg).paths[0], SPEED) == []
+
+
+@pytest.mark.parametrize(("plan", "told"), [
+    (printed(18.0), {"1.07 g", "needs more", "needs most"}),
+    (printed(-10.0), {"0.593 g", "needs most"}),
+    (printed(0.0), set()),
+])  # fmt: skip
+def test_a_plan_for_a_speed_says_what_it_needs(square, plan, told):
+    limit = "needs up to 0.6 g of lateral acceleration at 60 km/h"
+    with style():
+        figure = plan_figure(square, {"a": plan}, speed=SPEED)
+        inside_and_apart(figure)
+        said = set(words(figure).splitlines())
+        assert limit in said
+        assert said & {"1.07 g", "0.593 g", "needs more", "needs most"} == told
+        assert limit not in words(plan_figure(square, {"a": plan}))
+
+
+def test_a_plan_for_a_speed_without_a_path_is_drawn(square):
+    with style():
+        assert "needs" not in words(plan_figure(square, {"a": lost_plan()}, speed=SPEED))
+
+
+def test_a_planner_that_knows_its_speed_says_it():
+    assert planned_speed(SpeedSettings(speed="60km/h")) == pytest.approx(SPEED)
+    assert planned_speed(SpeedSettings()) == 12.5
+    assert planned_speed(make_planner("exact")) is None

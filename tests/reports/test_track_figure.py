@@ -14,6 +14,8 @@ from reports.track_figure import save_track_figure, track_figure
 from tracking.feasibility import Feasibility, Turn
 from tracking.verdict import Verdict
 
+G = 9.80665
+
 
 def with_track(outcome, rows, **columns):
     """`outcome` with some rows of its track, and some of its columns set."""
@@ -63,8 +65,10 @@ def test_says_what_it_shows(route, yard):
     for part in (*parts, "Bank", "east [km]", "Height [m]", "Curvature [1/km]"):
         assert part in text
     text, _ = texts(yard)
-    for part in ("Steering", "Lateral acceleration", "east [m]", "Curvature [1/m]", "driven"):
+    for part in ("Steering [°]", "Steering rate [°/s]", "Lateral accel. [g]", "needed", "commanded", "driven"):
         assert part in text
+    assert "east [m]" in text
+    assert "Curvature" not in text  # lateral acceleration is the same at a speed
     assert "wind" not in text
 
 
@@ -190,7 +194,7 @@ def test_on_a_page_a_figure_is_low(name, request):
 
 
 @pytest.mark.parametrize("page", [False, True])
-@pytest.mark.parametrize("name", ["route", "yard", "sharp_yard"])
+@pytest.mark.parametrize("name", ["route", "yard", "sharp_yard", "road"])
 def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, request):
     with style():
         figure = track_figure(request.getfixturevalue(name), page)
@@ -202,6 +206,30 @@ def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, reques
         for axes in figure.axes:
             if axes.get_legend():
                 assert axes.get_legend().get_window_extent().x0 > axes._left_title.get_window_extent().x1
+
+
+def lateral_panel(outcome):
+    with style():
+        (found,) = (axes for axes in track_figure(outcome).axes if axes._left_title.get_text().startswith("Lateral"))
+    return found, {line.get_label(): line for line in found.lines}
+
+
+def test_lateral_acceleration_stands_beside_what_the_path_needs_and_both_limits(sharp_yard):
+    """A corner of 81 deg at 8 m/s needs v d / 0.5 s = 2.3 g; the axis ends at 1.25 times three limits of 0.6 g."""
+    axes, lines = lateral_panel(sharp_yard)
+    assert lines["needed"].get_ydata().min() == pytest.approx(8.0 * (math.atan2(5, 30) - math.pi / 2) / 0.5 / G)
+    assert lines["driven"].get_ydata().max() == pytest.approx(sharp_yard.track["lateral_acceleration"].max() / G)
+    assert lines["limit"].get_ydata()[0] == pytest.approx(0.6)
+    assert lines["grip"].get_ydata()[0] == 0.8
+    assert axes.get_ylim() == pytest.approx((-1.25 * 1.8, 1.25 * 1.8))
+    assert axes.get_position().width == pytest.approx(7.12 / 8.0)
+
+
+def test_the_friction_of_the_conditions_goes_before_the_tyres_own(yard):
+    wet = dataclasses.replace(yard, conditions=dataclasses.replace(yard.conditions, friction=0.5))
+    unknown = dataclasses.replace(yard, limits=dataclasses.replace(yard.limits, friction=math.inf))
+    assert lateral_panel(wet)[1]["grip"].get_ydata()[0] == 0.5
+    assert "grip" not in lateral_panel(unknown)[1]
 
 
 def test_a_time_that_was_not_flown_is_not_marked_on_the_track(route):

@@ -120,3 +120,13 @@ def test_friction_is_of_one_run_and_weather_and_mass_of_none():
     assert max(state.channels[2] for state in ice) < 0.11 * G
     stormy = Conditions(Wind(20.0, 5.0), turbulence=6.0, gust=Gust(9.0, 0.0, 0.0, 1.0, 2.0), mass_factor=3.0)
     assert drive(truck, speed, 0.05, 5.0, stormy) == own
+
+
+def test_full_steering_reaches_its_limits_and_no_more():
+    """From straight ahead to the largest curvature: the rate at once, the angle in the end."""
+    truck = Truck()
+    states = drive(truck, 2.0, 1.0, 5.0)
+    angles, rates = (np.array([state.channels[i] for state in states]) for i in (0, 1))
+    assert rates.max() == pytest.approx(truck.limits.steering_rate)
+    assert angles[-1] == pytest.approx(truck.limits.steering_max, rel=1e-3)
+    assert angles.max() <= truck.limits.steering_max

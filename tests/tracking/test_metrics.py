@@ -224,6 +224,15 @@ def test_demanded_lateral_acceleration_is_speed_squared_times_commanded_curvatur
     assert value(run, "lateral_acceleration_demanded") == pytest.approx(5.0)
 
 
+def test_needed_lateral_acceleration_is_of_the_plan_at_the_commanded_speed_however_it_is_driven():
+    """A corner of 90 deg at 10 m/s, turned over the way of 0.5 s: v d / 0.5 s, and worst at the corner."""
+    corner = Path([[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]])
+    for x in (np.linspace(0, 50, 11), np.linspace(0, 20, 11)):
+        needed = measure(run_along(x, 0.01 * x, corner, speed=10.0, ground_speed=3.0))["lateral_acceleration_needed"]
+        assert needed.value == pytest.approx(10.0 * math.pi / 2 / 0.5)
+        assert needed.s == pytest.approx(50.0)
+
+
 def test_a_track_of_one_sample_is_measured():
     metrics = measure(_one_sample())
     assert metrics["completion"].value == 0.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from planners.kernel import Floats
+from planners.needed import lateral_acceleration_needed
 from tracking.metric import Metric
 from tracking.run import Run
 
@@ -22,7 +23,10 @@ def aircraft_loads(run: Run) -> list[Metric]:
 
 
 def ground_loads(run: Run) -> list[Metric]:
-    """Steering [rad], its rate, lateral acceleration [m/s^2] real and demanded (paper 004, eq. 8), grip used [1]."""
+    """Steering [rad], its rate, lateral acceleration [m/s^2] (paper 004, eq. 8), grip used [1]; none for aircraft.
+
+    Lateral acceleration is real, demanded by the controller, and needed by the planned path at the commanded speed.
+    """
     if "steering" not in run.track:
         return []
     track = run.track
@@ -32,8 +36,15 @@ def ground_loads(run: Run) -> list[Metric]:
         _extreme("steering_rate_max", np.abs(track["steering_rate"]), "rad/s", run),
         _extreme("lateral_acceleration_max", np.abs(track["lateral_acceleration"]), "m/s^2", run),
         _extreme("lateral_acceleration_demanded", demanded, "m/s^2", run),
+        _needed(run),
         _extreme("friction_use_max", track["friction_use"], "share", run),
     ]
+
+
+def _needed(run: Run) -> Metric:
+    s, needed = lateral_acceleration_needed(run.path, run.speed)
+    worst = int(np.argmax(np.abs(needed)))
+    return Metric("lateral_acceleration_needed", float(abs(needed[worst])), "m/s^2", s=float(s[worst]))
 
 
 def saturation(run: Run) -> list[Metric]:
