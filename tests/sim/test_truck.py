@@ -5,7 +5,8 @@ import pytest
 from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 
 from planners.errors import InputError
-from sim.truck import STEERING_LIMIT, STEERING_RATE, WHEELBASE, Truck
+from sim.truck import Truck
+from sim.truck_limits import STEERING_LIMIT, STEERING_RATE, WHEELBASE
 from sim.vehicle import Command, Conditions, Pose
 from sim.wind import Gust, Wind
 
