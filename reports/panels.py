@@ -70,8 +70,8 @@ def _bank(outcome: Outcome) -> Panel | None:
 
 def _steering(outcome: Outcome) -> Panel | None:
     limit = _stated(outcome, "steering_max")
-    if limit is None and math.isfinite(outcome.limits.curvature_max):
-        limit = math.atan(outcome.limits.curvature_max * outcome.limits.equivalent_length)
+    if limit is None and math.isfinite(outcome.limits.steering_max):
+        limit = outcome.limits.steering_max
     return _own(outcome, "Steering", "°", "steering", math.degrees(1.0), limit)
 
 

@@ -42,6 +42,19 @@ class SingleTrack:
         """Understeer gradient K [rad s^2/m]: a steady turn takes steering (L + K v^2) / R (Gillespie 1992, ch. 6)."""
         return (1.0 / self.front_stiffness - 1.0 / self.rear_stiffness) / STANDARD_GRAVITY
 
+    def course_delay(self, speed: float) -> float:
+        """Mean delay [s] of the rear axle's course behind small steering at `speed` [m/s].
+
+        It is 2 zeta / omega of the characteristic equation (Rajamani 2012, sec. 2.3; Gillespie 1992, ch. 6): the yaw
+        rate's own delay and that of the slip at the rear axle, which cancels the zero of the yaw rate's response.
+        """
+        front_load, rear_load = self.axle_loads()
+        front, rear = front_load * self.front_stiffness, rear_load * self.rear_stiffness
+        lateral = (front + rear) * self.yaw_inertia
+        yaw = (front * self.front**2 + rear * self.rear**2) * self.mass
+        square = self.wheelbase * (self.wheelbase + self.understeer * speed**2)
+        return speed * (lateral + yaw) / (front * rear * square)
+
     def axle_loads(self) -> tuple[float, float]:
         """Static load [N] on the front and the rear axle."""
         weight = self.mass * STANDARD_GRAVITY

@@ -47,7 +47,7 @@ class Truck:
 
     def __init__(self, steering_hz: float = 20.0) -> None:
         self.guidance_period = steering_period(steering_hz, self.period)
-        self.limits = truck_limits(STEERING_LAG)
+        self.limits = truck_limits(STEERING_LAG, WHEELBASE)
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
         """Start at `pose`, wheels straight, at `speed` [m/s]; only the friction of `conditions` is felt by a truck."""

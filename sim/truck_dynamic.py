@@ -23,6 +23,7 @@ from sim.single_track import (
 )
 from sim.truck_limits import (
     ACCELERATION_LIMIT,
+    SPEED,
     SPEED_LAG,
     STEERING_LAG,
     STEERING_LIMIT,
@@ -39,7 +40,10 @@ from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State
 MAN_KAT1 = SingleTrack(
     mass=9522.0, yaw_inertia=43_680.0, front=1.867, rear=2.633, front_stiffness=7.02, rear_stiffness=7.29
 )
-YAW_RESPONSE = 0.16  # [s] mean delay of the yaw rate behind the steering, linearized at 45 km/h
+RESPONSE_TIME = STEERING_LAG + MAN_KAT1.course_delay(SPEED)  # [s] from curvature commanded to curvature driven
+# A truck on slipping tyres swings like a longer one: as for aircraft, so that Stanley's gain on the course stays below
+# what the delay allows. With the wheelbase, Stanley goes astray at 45 km/h and 0.3 g.
+EQUIVALENT_LENGTH = 2.0 * SPEED * RESPONSE_TIME  # [m]
 SUBSTEPS = 5  # Runge-Kutta steps a control period, 0.01 s each: stable down to walking speed
 
 
@@ -58,7 +62,7 @@ class TruckDynamic:
 
     def __init__(self, steering_hz: float = 20.0) -> None:
         self.guidance_period = steering_period(steering_hz, self.period)
-        self.limits = truck_limits(STEERING_LAG + YAW_RESPONSE)
+        self.limits = truck_limits(RESPONSE_TIME, EQUIVALENT_LENGTH)
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
         """Start at `pose`, wheels straight, at `speed` [m/s]; only the friction of `conditions` is felt by a truck."""

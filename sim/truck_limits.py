@@ -16,23 +16,25 @@ STEERING_RATE = math.radians(30.0)  # [rad/s] at the front wheels
 STEERING_LAG = 0.2  # [s] first-order
 FRICTION = 0.8  # tyre on dry asphalt; the 0.6 g of paper 004 eq. 8 is a requirement, this is the plant
 LATERAL_REQUIREMENT = 0.6 * STANDARD_GRAVITY  # [m/s^2] paper 004 eq. 8
+SPEED = 45.0 / 3.6  # [m/s] by default, the middle one of paper 004
 SPEED_LAG, ACCELERATION_LIMIT = 0.5, 2.0  # [s], [m/s^2] of the cruise control
 
 
-def truck_limits(response_time: float) -> Limits:
-    """The limits of a truck that achieves a commanded curvature after `response_time` [s]."""
+def truck_limits(response_time: float, equivalent_length: float) -> Limits:
+    """The limits of a truck; its `response_time` [s] and `equivalent_length` [m] are as in `Limits`."""
     return Limits(
         kind="ground",
-        speed=45.0 / 3.6,
+        speed=SPEED,
         speed_min=1.0,
         speed_max=40.0,
         lateral_acceleration=LATERAL_REQUIREMENT,
         response_time=response_time,
-        equivalent_length=WHEELBASE,
+        equivalent_length=equivalent_length,
         corridor=0.5,
         footprint=Rectangle(BODY_LENGTH, BODY_WIDTH, ahead=WHEELBASE / 2),
         bounds=(Bound("lateral_acceleration_max", "<=", LATERAL_REQUIREMENT, "paper 004, eq. 8: 0.6 g"),),
         curvature_max=math.tan(STEERING_LIMIT) / WHEELBASE,
+        steering_max=STEERING_LIMIT,
     )
 
 

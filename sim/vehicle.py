@@ -100,7 +100,8 @@ class Limits:
     `kind` is "fixed-wing" or "ground". `speed` is the default, `speed_min` and `speed_max` what it accepts [m/s].
     `lateral_acceleration` [m/s^2] bounds turning: g tan(bank limit), or the ground vehicle's requirement.
     `curvature_max` [1/m] is the steering geometry's (inf for aircraft). `response_time` [s] is the lag from a
-    commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it,
+    commanded to an achieved curvature, `equivalent_length` [m] the wheelbase or what stands for it, `steering_max`
+    [rad] the front wheels' (inf for aircraft),
     `climb_gradient` and `descent_gradient` [1] the steepest sustained path, `corridor` [m] the default half-width,
     `footprint` the body, `bounds` what else must hold for a run to be good, `separation` [m] the smallest distance
     wanted to another vehicle. `altitude` [m] is the default, `gravity` [m/s^2] that of where the vehicle is.
@@ -117,6 +118,7 @@ class Limits:
     footprint: Footprint
     bounds: tuple[Bound, ...] = ()
     curvature_max: float = math.inf
+    steering_max: float = math.inf
     climb_gradient: float = 0.0
     descent_gradient: float = 0.0
     separation: float = 0.0
