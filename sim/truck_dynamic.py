@@ -36,7 +36,7 @@ from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State
 
 # Chassis 7085 kg and 29 395 kg m^2, 1.748 m behind the front axle; axles with wheels and tyres 1239 and 1198 kg.
 # Tyres 14.00R20: Chrono's pattern of truck tyres (ChTMeasyTire.cpp, 2023, after Pacejka) at the static wheel loads of
-# 27.3 and 19.4 kN and 4.5 bar; within the 5 to 8 per rad usual for trucks' radial tyres.
+# 27.3 and 19.4 kN, nominal 16.1 kN at 4.5 bar. Payload, and compliance that would add understeer, are not published.
 MAN_KAT1 = SingleTrack(
     mass=9522.0, yaw_inertia=43_680.0, front=1.867, rear=2.633, front_stiffness=7.02, rear_stiffness=7.29
 )
