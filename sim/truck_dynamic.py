@@ -12,12 +12,12 @@ import math
 from planners.units import STANDARD_GRAVITY
 from sim.planet import EARTH
 from sim.single_track import (
-    SLOWEST_ROLL,
     Motion,
     SingleTrack,
     axle_forces,
     cornering_drag,
     rates,
+    rear_course,
     rear_sideways,
     runge_kutta,
 )
@@ -36,15 +36,15 @@ from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State
 
 # Chassis 7085 kg and 29 395 kg m^2, 1.748 m behind the front axle; axles with wheels and tyres 1239 and 1198 kg.
 # Tyres 14.00R20: Chrono's pattern of truck tyres (ChTMeasyTire.cpp, 2023, after Pacejka) at the static wheel loads of
-# 27.3 and 19.4 kN, nominal 16.1 kN at 4.5 bar. Payload, and compliance that would add understeer, are not published.
+# 27.3 and 19.4 kN, nominal 16.1 kN at 4.5 bar. Payload, and the compliance that would add understeer, are left out.
 MAN_KAT1 = SingleTrack(
     mass=9522.0, yaw_inertia=43_680.0, front=1.867, rear=2.633, front_stiffness=7.02, rear_stiffness=7.29
 )
 RESPONSE_TIME = STEERING_LAG + MAN_KAT1.course_delay(SPEED)  # [s] from curvature commanded to curvature driven
 # A truck on slipping tyres swings like a longer one: as for aircraft, so that Stanley's gain on the course stays below
-# what the delay allows. With the wheelbase, Stanley goes astray at 45 km/h and 0.3 g.
+# what the delay allows. With the wheelbase, Stanley goes astray at 60 km/h and 0.3 g.
 EQUIVALENT_LENGTH = 2.0 * SPEED * RESPONSE_TIME  # [m]
-SUBSTEPS = 4  # Runge-Kutta steps a control period, 0.0125 s each: stable at any speed the tyres count with
+SUBSTEPS = 4  # Runge-Kutta steps a control period, 0.0125 s each: stable down to SLOWEST_ROLL
 
 
 class TruckDynamic:
@@ -87,7 +87,7 @@ class TruckDynamic:
         target = _limited(math.atan(command.curvature * MAN_KAT1.wheelbase), STEERING_LIMIT)
         steering_rate = _limited((target - now.steering) / STEERING_LAG, STEERING_RATE)
         speed = math.hypot(now.forward, rear_sideways(MAN_KAT1, now))
-        # the speed's rate wanted, and what the curve takes from it
+        # The speed's rate wanted, and what the curve takes from it
         drive = (
             (command.speed - speed) / SPEED_LAG + cornering_drag(MAN_KAT1, now, forces) - now.sideways * now.yaw_rate
         )
@@ -99,14 +99,10 @@ class TruckDynamic:
         forces = axle_forces(MAN_KAT1, now, self._friction)
         front, rear = (abs(f) / (self._friction * load) for f, load in zip(forces, MAN_KAT1.axle_loads(), strict=True))
         lateral = change.sideways + now.forward * now.yaw_rate
-        across, across_rate = rear_sideways(MAN_KAT1, now), rear_sideways(MAN_KAT1, change)
-        square = now.forward**2 + across**2
-        speed, course_rate = math.sqrt(square), now.yaw_rate
-        if speed > SLOWEST_ROLL:
-            course_rate += (now.forward * across_rate - across * change.forward) / square
+        rear_axle = rear_course(MAN_KAT1, now, change)
         return State(
-            self._t, now.x, now.y, self._z, now.heading, now.heading + math.atan2(across, now.forward),
-            speed, speed, 0.0, course_rate / max(speed, SLOWEST_ROLL), held_back or max(front, rear) >= 1.0,
+            self._t, now.x, now.y, self._z, now.heading, rear_axle.course, rear_axle.speed, rear_axle.speed, 0.0,
+            rear_axle.curvature, held_back or max(front, rear) >= 1.0,
             (now.steering, steering_rate, lateral, max(front, rear), now.yaw_rate),
             "" if math.isfinite(now.x + now.y + now.heading) else NOT_A_NUMBER,
         )  # fmt: skip
