@@ -10,20 +10,22 @@ import math
 import numpy as np
 from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 
-from planners.errors import InputError
-from planners.footprint import Rectangle
 from planners.units import STANDARD_GRAVITY
 from sim.planet import EARTH
-from sim.vehicle import NOT_A_NUMBER, Bound, Command, Conditions, Limits, Pose, State
+from sim.truck_limits import (
+    ACCELERATION_LIMIT,
+    BODY_WIDTH,
+    SPEED_LAG,
+    STEERING_LAG,
+    STEERING_LIMIT,
+    STEERING_RATE,
+    WHEELBASE,
+    road_friction,
+    steering_period,
+    truck_limits,
+)
+from sim.vehicle import NOT_A_NUMBER, Command, Conditions, Pose, State
 
-WHEELBASE = 4.5  # [m] a two-axle 7 m truck
-BODY_LENGTH, BODY_WIDTH = 7.0, 2.5  # [m]; 2.5 m is the legal width in most countries (EU 96/53/EC: 2.55 m)
-STEERING_LIMIT = math.radians(45.0)
-STEERING_RATE = math.radians(30.0)  # [rad/s] at the front wheels
-STEERING_LAG = 0.2  # [s] first-order
-FRICTION = 0.8  # tyre on dry asphalt; the 0.6 g of paper 004 eq. 8 is a requirement, this is the plant
-LATERAL_REQUIREMENT = 0.6 * STANDARD_GRAVITY  # [m/s^2] paper 004 eq. 8
-SPEED_LAG, ACCELERATION_LIMIT = 0.5, 2.0  # [s], [m/s^2] of the cruise control
 SUBSTEPS = 5  # Euler steps a control period, 0.01 s each
 
 
@@ -44,40 +46,12 @@ class Truck:
     channels: tuple[str, ...] = ("steering", "steering_rate", "lateral_acceleration", "friction_use")
 
     def __init__(self, steering_hz: float = 20.0) -> None:
-        held_periods = 1.0 / (steering_hz * self.period) if steering_hz > 0.0 else 0.0
-        if held_periods < 1.0 or abs(held_periods - round(held_periods)) > 1e-6:
-            remedy = f"choose {1 / self.period:g} divided by a whole number, as 2"
-            raise InputError("steering-hz", f"{steering_hz:g} is not a rate to steer at", remedy)
-        self.guidance_period = round(held_periods) * self.period
-        self.limits = Limits(
-            kind="ground",
-            speed=45.0 / 3.6,
-            speed_min=1.0,
-            speed_max=40.0,
-            lateral_acceleration=LATERAL_REQUIREMENT,
-            response_time=STEERING_LAG,
-            equivalent_length=WHEELBASE,
-            corridor=0.5,
-            footprint=Rectangle(BODY_LENGTH, BODY_WIDTH, ahead=WHEELBASE / 2),
-            bounds=(Bound("lateral_acceleration_max", "<=", LATERAL_REQUIREMENT, "paper 004, eq. 8: 0.6 g"),),
-            curvature_max=math.tan(STEERING_LIMIT) / WHEELBASE,
-            steering_max=STEERING_LIMIT,
-            steering_rate=STEERING_RATE,
-            friction=FRICTION,
-        )
+        self.guidance_period = steering_period(steering_hz, self.period)
+        self.limits = truck_limits(STEERING_LAG, WHEELBASE)
 
     def reset(self, pose: Pose, speed: float, conditions: Conditions, seed: int) -> State:
         """Start at `pose`, wheels straight, at `speed` [m/s]; only the friction of `conditions` is felt by a truck."""
-        if not self.limits.speed_min <= speed <= self.limits.speed_max:
-            raise InputError(
-                "speed",
-                f"the truck cannot drive at {speed:.4g} m/s",
-                f"choose {self.limits.speed_min:g} to {self.limits.speed_max:g} m/s",
-            )
-        friction = FRICTION if conditions.friction is None else conditions.friction
-        if not 0.0 < friction < math.inf:
-            raise InputError("friction", f"{friction:g} is no coefficient of friction", "choose one above 0, as 0.8")
-        self._grip = friction * STANDARD_GRAVITY
+        self._grip = road_friction(self.limits, speed, conditions) * STANDARD_GRAVITY
         ahead = WHEELBASE / 2 * np.array([math.cos(pose.course), math.sin(pose.course)])
         self._plant = _Bicycle(None, np.array([pose.x, pose.y]) + ahead, pose.course, speed)
         self._t, self._z, self._steering = 0.0, pose.z, 0.0

@@ -1,7 +1,8 @@
-"""The vehicles by name: the truck, and every aircraft that has a file."""
+"""The vehicles by name: the trucks, and every aircraft that has a file."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from planners.errors import InputError
@@ -9,10 +10,23 @@ from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.planet import EARTH, Planet
 from sim.vehicle import Vehicle
 
-ALL_VEHICLES = ("c172x", "ares", "truck")
-
-
 DEFAULT_STEERING_HZ = 20.0
+
+
+def _truck(steering_hz: float) -> Vehicle:
+    from sim.truck import Truck
+
+    return Truck(steering_hz)
+
+
+def _truck_dynamic(steering_hz: float) -> Vehicle:
+    from sim.truck_dynamic import TruckDynamic
+
+    return TruckDynamic(steering_hz)
+
+
+ALL_TRUCKS: dict[str, Callable[[float], Vehicle]] = {"truck": _truck, "truck-dynamic": _truck_dynamic}
+ALL_VEHICLES = (*ALL_AIRCRAFT, *ALL_TRUCKS)
 
 
 def make_vehicle(
@@ -23,12 +37,10 @@ def make_vehicle(
     `steering_hz` [Hz] is how often guidance may steer a truck; `planet` is where to be, None at home. Simulators are
     imported here, when they are needed.
     """
-    if vehicle == "truck":
+    if isinstance(vehicle, str) and vehicle in ALL_TRUCKS:
         if planet not in (None, EARTH):
-            raise InputError("planet", "the truck drives on earth only", "leave the planet out")
-        from sim.truck import Truck
-
-        return Truck(steering_hz)
+            raise InputError("planet", f"the {vehicle} drives on earth only", "leave the planet out")
+        return ALL_TRUCKS[vehicle](steering_hz)
     if steering_hz != DEFAULT_STEERING_HZ:
         name = vehicle.name if isinstance(vehicle, Aircraft) else vehicle
         raise InputError("steering-hz", f"{name} has no steering", "leave it out")

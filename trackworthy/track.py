@@ -26,7 +26,7 @@ def add_parser(commands: Any) -> None:
         metavar="PATH",
         help="path or mission file: .csv, .geojson, .waypoints, .plan; several are a fleet, one vehicle each",
     )
-    add("--vehicle", required=True, help="c172x, ares, truck, or an aircraft's TOML file")
+    add("--vehicle", required=True, help="c172x, ares, truck, truck-dynamic, or an aircraft's TOML file")
     add("--planet", help="earth or mars (default: the scenario's, or else the vehicle's own)")
     add("--controller", default="lqr", help="pure-pursuit, l1, stanley, vector-field or lqr (default)")
     add("--speed", help="55, 55m/s, 30km/h or 100kt: airspeed of aircraft, ground speed of others")

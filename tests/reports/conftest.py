@@ -28,7 +28,7 @@ PLANE = Limits(
 TRUCK = Limits(
     kind="ground", speed=12.5, speed_min=1.0, speed_max=40.0, lateral_acceleration=0.6 * G, response_time=0.2,
     equivalent_length=4.5, corridor=0.5, footprint=Rectangle(7.0, 2.5, 2.25), curvature_max=1 / 4.5,
-    steering_rate=math.radians(30.0), friction=0.8,
+    steering_max=math.pi / 4, steering_rate=math.radians(30.0), friction=0.8,
 )  # fmt: skip
 PLANE_CHANNELS = ("bank", "pitch", "load_factor", "throttle")
 TRUCK_CHANNELS = ("steering", "steering_rate", "lateral_acceleration", "friction_use")

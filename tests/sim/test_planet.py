@@ -84,9 +84,3 @@ def test_a_vehicle_is_at_home_unless_told_otherwise():
     assert earthly.limits.lateral_acceleration == pytest.approx(9.80665)  # g tan(45 deg)
     assert at_home.limits.lateral_acceleration == pytest.approx(3.71)
     assert away.limits.lateral_acceleration == pytest.approx(3.71)
-
-
-def test_the_truck_stays_on_earth():
-    assert make_vehicle("truck", planet=EARTH).name == "truck"
-    with pytest.raises(InputError, match=r"planet: the truck drives on earth only"):
-        make_vehicle("truck", planet=MARS)

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from highway_env.vehicle.kinematics import Vehicle as HighwayVehicle
 
-from planners.errors import InputError
-from sim.truck import STEERING_LIMIT, STEERING_RATE, WHEELBASE, Truck
+from sim.truck import Truck
+from sim.truck_limits import WHEELBASE
 from sim.vehicle import Command, Conditions, Pose
-from sim.wind import Gust, Wind
 
 G = 9.80665
 
@@ -37,29 +36,12 @@ def test_the_rear_axle_circles_at_wheelbase_over_tan_delta_and_the_centre_farthe
     assert circle_radius(centre_x, centre_y) == pytest.approx(math.hypot(rear, WHEELBASE / 2), rel=2e-3)
 
 
-def test_left_steering_is_positive_and_turns_left():
-    state = drive(Truck(), 5.0, 0.05, 2.0)[-1]
-    assert state.y > 0.0
-    assert state.heading > 0.0
-    assert state.channels[0] == pytest.approx(math.atan(0.05 * WHEELBASE), rel=1e-3)
-
-
 def test_highway_env_integrates_it(monkeypatch):
     steps = []
     own = HighwayVehicle.step
     monkeypatch.setattr(HighwayVehicle, "step", lambda self, dt: (steps.append(dt), own(self, dt)))
     drive(Truck(), 5.0, 0.0, 1.0)
     assert sum(steps) == pytest.approx(1.0)
-
-
-def test_steering_lags_and_keeps_its_rate_and_its_limit():
-    steering = np.array([state.channels[0] for state in drive(Truck(), 2.0, 10.0, 3.0)])
-    rate = np.diff(steering) / Truck.period
-    assert rate.max() == pytest.approx(STEERING_RATE, rel=1e-6)
-    assert steering.max() == pytest.approx(STEERING_LIMIT, rel=1e-3)
-    small = np.array([state.channels[0] for state in drive(Truck(), 2.0, 0.01, 1.0)])
-    after_a_lag = small[round(0.2 / Truck.period) - 1] / math.atan(0.01 * WHEELBASE)
-    assert after_a_lag == pytest.approx(1.0 - math.exp(-1.0), rel=1e-6)
 
 
 @pytest.mark.parametrize(("friction", "grip"), [(0.3, 0.3), (1.0, 1.0), (None, 0.8)])
@@ -88,38 +70,6 @@ def test_it_holds_its_speed_at_the_rear_axle():
     assert speeds[-1] == pytest.approx(12.0, rel=1e-3)
     curve = [truck.step(Command(0.08, 12.0)).ground_speed for _ in range(200)]
     assert curve[-1] == pytest.approx(12.0, rel=1e-3)
-
-
-def test_it_may_steer_twice_a_second():
-    assert Truck(steering_hz=2.0).guidance_period == pytest.approx(0.5)
-    assert Truck().guidance_period == pytest.approx(0.05)
-
-
-@pytest.mark.parametrize("rate", [0.0, -2.0, 50.0, math.nan])
-def test_a_rate_it_cannot_steer_at_is_refused(rate):
-    with pytest.raises(InputError, match="steering-hz"):
-        Truck(steering_hz=rate)
-
-
-@pytest.mark.parametrize("speed", [0.5, 50.0])
-def test_a_speed_it_cannot_drive_is_refused(speed):
-    with pytest.raises(InputError, match="truck cannot drive"):
-        Truck().reset(Pose(0.0, 0.0, 0.0, 0.0), speed, Conditions(), 0)
-
-
-@pytest.mark.parametrize("friction", [0.0, -0.5, math.nan, math.inf])
-def test_what_is_no_friction_is_refused(friction):
-    with pytest.raises(InputError, match=r"friction: .* choose one above 0"):
-        Truck().reset(Pose(0.0, 0.0, 0.0, 0.0), 10.0, Conditions(friction=friction), 0)
-
-
-def test_friction_is_of_one_run_and_weather_and_mass_of_none():
-    truck, speed = Truck(), 60.0 / 3.6
-    own = drive(truck, speed, 0.05, 5.0)
-    ice = drive(truck, speed, 0.05, 5.0, Conditions(friction=0.1))
-    assert max(state.channels[2] for state in ice) < 0.11 * G
-    stormy = Conditions(Wind(20.0, 5.0), turbulence=6.0, gust=Gust(9.0, 0.0, 0.0, 1.0, 2.0), mass_factor=3.0)
-    assert drive(truck, speed, 0.05, 5.0, stormy) == own
 
 
 def test_full_steering_reaches_its_limits_and_no_more():

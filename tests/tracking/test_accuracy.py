@@ -20,10 +20,10 @@ def fly(controller, wind=None):
     return outcome
 
 
-def drive(controller, speed_kmh, steering_hz=20.0):
+def drive(controller, speed_kmh, steering_hz=20.0, vehicle="truck", lateral_g=0.5):
     speed = speed_kmh / 3.6
-    path = road_weave(speed)
-    outcome = run_trial(Trial("weave", path, "truck", controller, speed=speed, steering_hz=steering_hz))
+    path = road_weave(speed, lateral_g)
+    outcome = run_trial(Trial("weave", path, vehicle, controller, speed=speed, steering_hz=steering_hz))
     assert outcome.track.ended == "completed"
     return outcome
 
@@ -68,6 +68,19 @@ def test_truck_under_every_controller(controller, speed_kmh):
     outcome = drive(controller, speed_kmh)
     assert value(outcome, "cross_track_p95") <= 0.5
     assert outcome.verdict.trackworthy
+
+
+@pytest.mark.parametrize("speed_kmh", [45.0, 60.0])
+@pytest.mark.parametrize("controller", ["lqr", "stanley"])
+def test_slipping_tyres_cost_accuracy_and_not_the_road(controller, speed_kmh):
+    slipping = drive(controller, speed_kmh, vehicle="truck-dynamic", lateral_g=0.3)
+    rolling = drive(controller, speed_kmh, lateral_g=0.3)
+    assert 5.0 * value(rolling, "cross_track_p95") < value(slipping, "cross_track_p95") <= 1.0
+
+
+@pytest.mark.parametrize("controller", NAMES)
+def test_no_controller_loses_the_road_at_half_a_g(controller):
+    assert value(drive(controller, 60.0, vehicle="truck-dynamic"), "cross_track_max") <= 6.0
 
 
 def test_pure_pursuit_flies_off_beside_the_path_in_crosswind_without_the_integral_term(monkeypatch):
