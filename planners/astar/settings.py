@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 import msgspec
+from msgspec.structs import replace
 
+from planners.planner import Planner
 from planners.units import parse_speed
 
 DEFAULT_SPEED = 45.0 / 3.6  # [m/s]
@@ -20,9 +22,16 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
 
     def __post_init__(self) -> None:
         if self.speed is not None:
-            parse_speed(self.speed)
+            parse_speed(self.speed, "set.speed")
 
     @property
     def planned_speed(self) -> float:
         """The speed [m/s]."""
         return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
+
+
+def for_speed(planner: Planner, speed: float) -> Planner:
+    """`planner` with its speed as a number [m/s]: the one it was set to, else `speed`; any other planner as it is."""
+    if not isinstance(planner, SpeedSettings):
+        return planner
+    return replace(planner, speed=speed if planner.speed is None else planner.planned_speed)
