@@ -23,8 +23,10 @@ def search_line(result: SearchResult) -> str:
     scale = isinstance(search, ScaleSearch)
     mark = {None: "scale" if scale else "speed", True: "pass ", False: "FAIL "}[result.passed]
     what = f"smallest scale: {found_words(result)} a map unit" if scale else f"top speed: {found_words(result)}"
-    told = [what + (f" ({beside})" if (beside := beside_words(result)) else ""), failing_words(result)]
-    return f"{mark} {name}: {'; '.join(filter(None, told))}"
+    beside = beside_words(result)
+    if beside:
+        what += f" ({beside})" if scale else f", {beside}"
+    return f"{mark} {name}: {'; '.join(filter(None, (what, failing_words(result))))}"
 
 
 def found_words(result: SearchResult) -> str:

@@ -9,8 +9,8 @@ from planners.astar.settings import SpeedSettings
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
 
-SCENARIO = 'name = "bend"\nsize = [200.0, 200.0]\nstart = [10.0, 10.0]\ngoal = [150.0, 150.0]\n'
-LATERAL = 2.5  # [m/s^2]
+SCENARIO = 'name = "bend"\nsize = [80.0, 80.0]\nstart = [10.0, 10.0]\ngoal = [60.0, 60.0]\n'
+LATERAL = 4.0  # [m/s^2]
 
 
 class SpeedArc(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):

@@ -70,11 +70,14 @@ def main(args: argparse.Namespace) -> int:
 
 def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: Path, fresh: bool) -> list[str]:
     """What is to be done besides the trials, whose progress is shown."""
+    from collections import Counter
+
     from reports.quantity import counted
 
     paths = {plan.key for ready in cases for plan in ready.plans if fresh or not plan.done(folder)}
     said = [f"making {counted(len(paths), 'plan')}"] if paths else []
-    return [*said, f"searching {counted(len(searches), 'scale or speed')}"] if searches else said
+    kinds = Counter(one.search.BLOCK.replace("_", " ") for one in searches)
+    return [*said, *(f"searching {counted(count, kind)}" for kind, count in kinds.items())]
 
 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
@@ -100,10 +103,10 @@ def _asked(search: Search) -> str:
     """What a search is for, and within which range."""
     from campaigns.search import ScaleSearch
 
-    low, high = search.between
+    low, high = (f"{end:g}" if isinstance(end, float) else end for end in search.between)
     followed = f"{search.vehicle}, {search.controller}"
     if isinstance(search, ScaleSearch):
-        return f"smallest scale of {search.scenario}, {search.planner}, {followed}, {low:g} to {high:g} m"
+        return f"smallest scale of {search.scenario}, {search.planner}, {followed}, {low} to {high} m"
     path = search.path or f"{search.planner} on {search.scenario}"
     return f"top speed of {path}, {followed}, {low} to {high}"
 
