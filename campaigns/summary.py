@@ -123,6 +123,8 @@ def _plans(one: PlannedBy) -> Json:
         "scenario": one.scenario.name,
         "map_unit": one.scenario.unit,
         "clearance": one.planner.clearance,
+        "planned_for": one.planned_for,
+        "straight_length": one.straight,
         **msgspec.to_builtins(one.statistics),
         "claims": [msgspec.to_builtins(claim) for claim in one.claims],
     }

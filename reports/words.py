@@ -16,7 +16,7 @@ from tracking.outcome import Outcome
 from tracking.verdict import EITHER, NOT_TRACKWORTHY
 
 FAULTS = (STALL, ON_GROUND, NOT_A_NUMBER)
-_KMH = 3.6  # [km/h per m/s]
+KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
 _BY_SLOPES = ("altitude_", "load_factor_", "stall_")
 # Metrics that a turn too tight cannot explain, by the start of their name.
@@ -58,7 +58,7 @@ def speed_words(outcome: Outcome) -> str:
 def speed_text(speed: float, kind: str) -> str:
     """A speed of a vehicle of that `kind`; for ground vehicles in km/h as well: "12.5 m/s (45 km/h)"."""
     metric = text(speed, "m/s")
-    return f"{metric} ({text(speed * _KMH, 'km/h')})" if kind == GROUND else metric
+    return f"{metric} ({text(speed * KMH, 'km/h')})" if kind == GROUND else metric
 
 
 def wind_words(wind: Wind) -> str:

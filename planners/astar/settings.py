@@ -30,6 +30,11 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
         return DEFAULT_SPEED if self.speed is None else parse_speed(self.speed)
 
 
+def planned_speed(planner: Planner) -> float | None:
+    """The speed [m/s] that `planner` plans for, None for one that plans for no speed."""
+    return planner.planned_speed if isinstance(planner, SpeedSettings) else None
+
+
 def for_speed(planner: Planner, speed: float) -> Planner:
     """`planner` with its speed as a number [m/s]: the one it was set to, else `speed`; any other planner as it is."""
     if not isinstance(planner, SpeedSettings):
