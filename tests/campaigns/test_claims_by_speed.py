@@ -97,5 +97,5 @@ def test_a_wrong_claim_names_its_place(tmp_path, change, told):
 
 def test_a_claim_for_a_speed_is_about_a_planner_that_plans_for_one(tmp_path):
     file = write_campaign(tmp_path, (CASE + CLAIMS).replace('planner = "speed-arc"', 'planner = "exact"'))
-    with pytest.raises(InputError, match="claim.0.: exact plans for no speed; leave speed out"):
+    with pytest.raises(InputError, match=r"claim\[0\]: exact plans for no speed; leave speed out"):
         load_campaign(str(file))
