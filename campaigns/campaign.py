@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 import msgspec
 
@@ -14,7 +14,7 @@ from campaigns.case import Case
 from campaigns.claims import Claim, check_claims
 from campaigns.expand import expanded
 from campaigns.limits import Limit, check_names
-from campaigns.scale_search import ScaleSearch
+from campaigns.search import ScaleSearch, Search, SpeedSearch
 from planners.errors import InputError
 from planners.typed_toml import convert, read_toml, suggestion
 
@@ -22,11 +22,12 @@ CAMPAIGNS_FOLDER = Path(__file__).parent
 BUILT_IN_CAMPAIGNS = ("quickstart", "paper-aco", "paper-mars")
 
 KeepTracks = Literal["all", "failures", "worst", "none"]
+T = TypeVar("T", Case, ScaleSearch, SpeedSearch)
 
 
 class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The file: a `name` for the folder of its results, a `title` for its report, a `seed`, the cases, and searches
-    for the smallest scale.
+    for the smallest scale and the top speed.
 
     `timeout` [s] of wall time is what one trial may take; `check` replaces the gate's default limits by metric. Claims
     of papers stand in the report under what their planners gave here, and the `note` below them.
@@ -35,6 +36,7 @@ class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     name: str
     case: list[dict[str, Any]] = []
     smallest_scale: list[dict[str, Any]] = []
+    top_speed: list[dict[str, Any]] = []
     title: str = ""
     seed: int = 0
     keep_tracks: KeepTracks = "worst"
@@ -51,7 +53,7 @@ class Campaign:
     name: str
     title: str
     cases: tuple[Case, ...]
-    searches: tuple[ScaleSearch, ...]
+    searches: tuple[Search, ...]
     folder: Path
     file: str
     seed: int = 0
@@ -80,9 +82,10 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
     content = read_toml(file, CampaignFile)
     check_names(content.check, f"{file}: check")
     limits = {name: convert(keys, Limit, f"{file}: check.{name}") for name, keys in content.check.items()}
-    cases = [one for i, block in enumerate(content.case) for one in expanded(block, f"{file}: case[{i}]", Case)]
-    blocks = enumerate(content.smallest_scale)
-    searches = [one for i, block in blocks for one in expanded(block, f"{file}: smallest_scale[{i}]", ScaleSearch)]
+    cases = _every(content.case, f"{file}: case", Case)
+    scales = _every(content.smallest_scale, f"{file}: {ScaleSearch.BLOCK}", ScaleSearch)
+    speeds = _every(content.top_speed, f"{file}: {SpeedSearch.BLOCK}", SpeedSearch)
+    searches: list[Search] = [*scales, *speeds]
     if not cases and not searches:
         raise InputError(str(file), "it has no cases", "add a [[case]] with path and vehicle")
     names = [*(case.name for case in cases), *(search.name for search in searches)]
@@ -108,6 +111,11 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         claims=content.claim,
         note=content.note,
     )
+
+
+def _every(blocks: Sequence[dict[str, Any]], place: str, into: type[T]) -> list[T]:
+    """All that the `blocks` stand for."""
+    return [one for i, block in enumerate(blocks) for one in expanded(block, f"{place}[{i}]", into)]
 
 
 def replay_command(file: str, case: str, trial: int) -> str:

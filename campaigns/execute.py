@@ -16,15 +16,15 @@ from campaigns.plan_statistics import PlannedBy, planned_by
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
 from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials
-from campaigns.scale_ready import ReadySearch
-from campaigns.scales import ScaleResult, run_searches
+from campaigns.search_ready import ReadySearch
+from campaigns.searches import SearchResult, run_searches
 from campaigns.summary import CaseResult, results_of, write_summary
 from campaigns.workers import Workers
 from planners.outside import OutsidePlanner
 from tracking.outcome import Outcome
 
 PLANNING = 60.0  # [s] for a worker beyond its planner's own time-out
-SCALES = 12  # about as many as a search tries, each as long as a trial may take
+TRIED = 12  # about as many as a search tries, each as long as a trial may take
 SHOWN = 100  # cases whose worst trial is given whole, those not as expected first
 
 Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable[Attempt]]
@@ -34,12 +34,12 @@ Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable
 class Finished:
     """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name.
 
-    `scales` holds what the searches for the smallest scale found, `plans` what the planners of ours did.
+    `searches` holds what the searches found, `plans` what the planners of ours did.
     """
 
     results: list[CaseResult]
     outcomes: dict[str, Outcome]
-    scales: list[ScaleResult]
+    searches: list[SearchResult]
     plans: list[PlannedBy]
 
 
@@ -97,11 +97,11 @@ def execute(
                 pass
             results = results_of([ready.case for ready in cases], store)
             outcomes = _worst(campaign, cases, results, folder, lanes)
-        with machines.lanes(SCALES * campaign.timeout) as lanes:
-            scales = run_searches(searches, folder, lanes)
+        with machines.lanes(TRIED * campaign.timeout) as lanes:
+            found = run_searches(searches, folder, lanes)
         plans = planned_by(cases, campaign.claims, folder)
-        write_summary(campaign, results, folder / "summary.json", scales, plans)
-        return Finished(results, outcomes, scales, plans)
+        write_summary(campaign, results, folder / "summary.json", found, plans)
+        return Finished(results, outcomes, found, plans)
 
 
 def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:

@@ -10,14 +10,14 @@ from typing import Any, TypeVar
 import msgspec
 
 from campaigns.case import Case
-from campaigns.scale_search import ScaleSearch
+from campaigns.search import ScaleSearch, SpeedSearch
 from planners.errors import InputError
 from planners.typed_toml import convert
 
 WHOLE_LISTS = ("require", "between", "others")  # keys whose own value is a list
 TABLES = ("conditions", "set")  # keys whose values are lists to be multiplied out
 
-T = TypeVar("T", bound=Case | ScaleSearch)
+T = TypeVar("T", bound=Case | ScaleSearch | SpeedSearch)
 _Choice = tuple[tuple[str, ...], tuple[int, Any]]  # the keys of a list, and of its values the number and the value
 
 

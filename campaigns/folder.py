@@ -13,17 +13,17 @@ from pathlib import Path
 from campaigns.campaign import Campaign
 from campaigns.manifest import check_same, manifest_of, read_manifest, write_manifest
 from campaigns.ready import ReadyCase
-from campaigns.scale_ready import ReadySearch
+from campaigns.search_ready import ReadySearch
 from campaigns.store import Store
 from planners.errors import InputError
 
 # What a run makes; --fresh removes this and nothing else, the manifest last
 MADE = (
     "campaign.toml", "inputs/*/*", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans/*.csv",
-    "plans/*.json", "plans/*.log", "tracks/*.parquet", "scales/*.json", "figures/*.png", "report.pdf", "summary.json",
+    "plans/*.json", "plans/*.log", "tracks/*.parquet", "searches/*.json", "figures/*.png", "report.pdf", "summary.json",
     "manifest.json",
 )  # fmt: skip
-FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "scales", "figures")
+FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "searches", "figures")
 ELSEWHERE = "give another folder with -o"
 
 

@@ -8,11 +8,13 @@ from pathlib import Path as FilePath
 from campaigns.case import Case
 from planners import files
 from planners.all_planners import make_planner
+from planners.astar.settings import for_speed
 from planners.errors import InputError
 from planners.files import PathFile
 from planners.outside import OutsidePlanner
 from planners.planner import Planner
 from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario, on_planet, scaled
+from planners.units import parse_speed
 from sim.aircraft_file import ALL_AIRCRAFT, Aircraft, load_aircraft
 from sim.planet import Planet, planet_of
 from sim.vehicle import Limits
@@ -64,7 +66,7 @@ class Reader:
         vehicle, limits, planet = self._vehicle(case.vehicle, case.steering_hz, named)
         scenario = None if given is None else self._placed(given, case.unit, planet)
         read = tuple(self._files[path] for path in paths)
-        return Inputs(read, _planner(case), scenario, vehicle, limits, planet)
+        return Inputs(read, _planner(case, limits), scenario, vehicle, limits, planet)
 
     def _scenario(self, name: str) -> Scenario:
         if name not in self._scenarios:
@@ -91,9 +93,11 @@ class Reader:
         return self._vehicles[name, steering_hz, planet]
 
 
-def _planner(case: Case) -> Planner | OutsidePlanner | None:
+def _planner(case: Case, limits: Limits) -> Planner | OutsidePlanner | None:
+    """The case's; one that plans for a speed, and is not set to one, plans for the case's or the vehicle's own."""
     if isinstance(case.planner, str):
-        return make_planner(case.planner, case.set)
+        speed = limits.speed if case.speed is None else parse_speed(case.speed)
+        return for_speed(make_planner(case.planner, case.set), speed)
     if case.set:
         what = "settings are those of a planner of ours"
         raise InputError("set", what, 'name it, as planner = "exact", or leave set out')

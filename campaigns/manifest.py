@@ -13,7 +13,7 @@ import msgspec
 
 from campaigns.campaign import Campaign
 from campaigns.ready import ReadyCase
-from campaigns.scale_ready import ReadySearch
+from campaigns.search_ready import ReadySearch
 from campaigns.seeds import digest, file_digest
 from planners.atomic_file import atomic
 from planners.errors import InputError
@@ -44,7 +44,7 @@ def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequen
     """What would make the results of `campaign` now."""
     # Of a plan for each trial the first tells the others, and more trials make no other case
     digests = {ready.case.name: digest(ready.digest, ready.plans[0].key if ready.plans else "") for ready in cases}
-    digests |= {f"smallest_scale {ready.search.name}": ready.key for ready in searches}
+    digests |= {f"{ready.search.BLOCK} {ready.search.name}": ready.key for ready in searches}
     return Manifest(
         name=campaign.name,
         store_version=STORE_VERSION,

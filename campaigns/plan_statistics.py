@@ -11,9 +11,11 @@ from statistics import median
 
 import msgspec
 
+from campaigns.case import Case
 from campaigns.claims import Claim
 from campaigns.plans import Plan
 from campaigns.ready import ReadyCase
+from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
 from planners.outside import OutsidePlanner
 from planners.planner import Planner
@@ -63,7 +65,8 @@ class PlanStatistics(msgspec.Struct, frozen=True, kw_only=True):
 
 @dataclass(frozen=True, slots=True)
 class PlannedBy:
-    """A planner with its settings on a scenario: its `statistics`, and the `case` that is the first to fly its plans.
+    """A planner with its settings on a scenario: its `statistics`, and the `case` that is the first of the `cases` that
+    fly its plans.
 
     `seed` is that of the first it answered, None where it always failed; `claims` are what others say of it. `searches`
     are the facts of those plans whose search counted its cost evaluations.
@@ -76,6 +79,18 @@ class PlannedBy:
     statistics: PlanStatistics
     claims: tuple[Claim, ...] = ()
     searches: tuple[PlanFacts, ...] = ()
+    cases: tuple[str, ...] = ()
+
+    @property
+    def planned_for(self) -> float | None:
+        """The speed [m/s] that it plans for, None where it plans for none."""
+        return planned_speed(self.planner)
+
+    @property
+    def straight(self) -> float | None:
+        """How far its start and its goal are apart [m]; None for a fleet."""
+        starts, goals = self.scenario.starts, self.scenario.goals
+        return float(math.dist(starts[0], goals[0])) if len(starts) == len(goals) == 1 else None
 
 
 def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
@@ -108,25 +123,26 @@ def statistics_of(facts: Sequence[PlanFacts | None]) -> PlanStatistics:
 
 def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path) -> list[PlannedBy]:
     """Every planner of ours with its settings on each scenario, in the order of the cases, its plans as they lie in the
-    results `folder`. A claim stands by the first of its planner; one that names a scenario does at
-    each scale of it.
+    results `folder`. A claim stands by the first of its planner, or of those for its speed; one that names a scenario
+    does at each scale of it.
     """
     plans: dict[tuple[Scenario, Planner], dict[str, Plan]] = {}
-    first: dict[tuple[Scenario, Planner], ReadyCase] = {}
+    flying: dict[tuple[Scenario, Planner], dict[str, Case]] = {}
     for ready in cases:
         for plan in ready.plans:
             if not isinstance(plan.planner, OutsidePlanner):
                 plans.setdefault((plan.scenario, plan.planner), {})[plan.key] = plan
-                first.setdefault((plan.scenario, plan.planner), ready)
+                flying.setdefault((plan.scenario, plan.planner), {})[ready.case.name] = ready.case
     found: list[PlannedBy] = []
     told: set[tuple[int, Scenario | None]] = set()
     for (scenario, planner), group in plans.items():
         facts = [plan.told(folder) for plan in group.values()]
-        case = first[scenario, planner].case
+        flown = flying[scenario, planner]
+        case = next(iter(flown.values()))
         here = ("", Path(case.scenario or "").stem)
         own = [
             (i, scenario if claim.scenario else None) for i, claim in enumerate(claims)
-            if claim.planner == planner.name and claim.scenario in here
+            if claim.planner == planner.name and claim.scenario in here and claim.holds_for(planned_speed(planner))
         ]  # fmt: skip
         own = [which for which in own if which not in told]
         told.update(own)
@@ -134,7 +150,8 @@ def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path
         seed = answered[0].seed if answered else None
         searches = tuple(one for one in answered if one.evaluations)
         stands = tuple(claims[i] for i, _ in own)
-        found.append(PlannedBy(planner, scenario, seed, case.name, statistics_of(facts), stands, searches))
+        told_of = statistics_of(facts)
+        found.append(PlannedBy(planner, scenario, seed, case.name, told_of, stands, searches, tuple(flown)))
     return found
 
 

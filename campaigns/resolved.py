@@ -15,8 +15,8 @@ from campaigns.campaign import Campaign
 from campaigns.case import Case
 from campaigns.inputs import Inputs
 from campaigns.ready import ReadyCase
-from campaigns.scale_ready import ReadySearch
-from campaigns.scale_search import ScaleSearch
+from campaigns.search import ALL_SEARCHES, ScaleSearch, Search, SpeedSearch
+from campaigns.search_ready import ReadySearch
 from planners.atomic_file import atomic
 from planners.outside import OutsidePlanner
 from planners.scenario import BUILT_IN_SCENARIOS, Scenario
@@ -24,7 +24,7 @@ from sim.aircraft_file import Aircraft
 
 RESOLVED = "campaign.toml"
 
-T = TypeVar("T", bound=Case | ScaleSearch)
+T = TypeVar("T", bound=Case | ScaleSearch | SpeedSearch)
 
 
 def write_resolved(
@@ -37,17 +37,19 @@ def write_resolved(
     written = []
     for ready in cases:
         case = _copied(ready.case, ready.inputs, campaign.folder, copies)
-        if case.path:
-            others = tuple(copies.file(campaign.folder / path) for path in case.others)
-            case = msgspec.structs.replace(case, path=copies.file(campaign.folder / case.path), others=others)
+        others = tuple(copies.file(campaign.folder / path) for path in case.others)
+        case = msgspec.structs.replace(case, others=others)
         if isinstance(case.planner, OutsidePlanner):
             case = msgspec.structs.replace(case, planner=_in_place(case.planner, campaign.folder))
         written.append(_table(case))
-    scales = [_copied(one.search, one.inputs, campaign.folder, copies) for one in searches]
+    copied: list[Search] = [_copied(one.search, one.inputs, campaign.folder, copies) for one in searches]
     content = {
         "name": campaign.name, "title": campaign.title, "seed": campaign.seed, "keep_tracks": campaign.keep_tracks,
         "timeout": campaign.timeout, "check": msgspec.to_builtins(campaign.check), "case": written,
-        "smallest_scale": [_without_none(msgspec.to_builtins(search)) for search in scales],
+        **{
+            kind.BLOCK: [_without_none(msgspec.to_builtins(search)) for search in copied if isinstance(search, kind)]
+            for kind in ALL_SEARCHES
+        },
         "note": campaign.note, "claim": [_without_none(msgspec.to_builtins(claim)) for claim in campaign.claims],
     }  # fmt: skip
     with atomic(folder / RESOLVED) as temporary:
@@ -55,7 +57,9 @@ def write_resolved(
 
 
 def _copied(stated: T, inputs: Inputs, folder: Path, copies: _Copies) -> T:
-    """With the names of copies for those of the scenario and the vehicle's file."""
+    """With the names of copies for those of its path, its scenario and the vehicle's file."""
+    if not isinstance(stated, ScaleSearch) and stated.path:
+        stated = msgspec.structs.replace(stated, path=copies.file(folder / stated.path))
     if inputs.scenario is not None and stated.scenario not in BUILT_IN_SCENARIOS:
         stated = msgspec.structs.replace(stated, scenario=copies.scenario(inputs.scenario))
     if isinstance(inputs.vehicle, Aircraft):

@@ -11,8 +11,8 @@ import msgspec
 from campaigns.campaign import Campaign
 from campaigns.case import Case
 from campaigns.plan_statistics import PlannedBy
-from campaigns.scale_steps import Step
-from campaigns.scales import ScaleResult
+from campaigns.search_summary import searches_json
+from campaigns.searches import SearchResult
 from campaigns.statistics import Band, CaseStatistics, Summary, statistics
 from campaigns.store import Row, Store
 from planners.files.text import write_text
@@ -68,7 +68,7 @@ def write_summary(
     campaign: Campaign,
     results: Sequence[CaseResult],
     file: Path,
-    scales: Sequence[ScaleResult] = (),
+    searches: Sequence[SearchResult] = (),
     plans: Sequence[PlannedBy] = (),
 ) -> None:
     """Write `summary.json`."""
@@ -81,7 +81,7 @@ def write_summary(
         "errors": sum(result.statistics.errors for result in results),
         "passed": sum(result.passed for result in results),
         "cases": [_case(result) for result in results],
-        "smallest_scales": [_scale(result) for result in scales],
+        **searches_json(searches),
         "plans": [_plans(one) for one in plans],
     }
     text = msgspec.json.format(msgspec.json.encode(about), indent=2).decode()
@@ -123,43 +123,10 @@ def _plans(one: PlannedBy) -> Json:
         "scenario": one.scenario.name,
         "map_unit": one.scenario.unit,
         "clearance": one.planner.clearance,
+        "planned_for": one.planned_for,
+        "straight_length": one.straight,
         **msgspec.to_builtins(one.statistics),
         "claims": [msgspec.to_builtins(claim) for claim in one.claims],
-    }
-
-
-def _scale(result: ScaleResult) -> Json:
-    search, found, (width, height) = result.search, result.found, result.size
-    return {
-        "name": search.name,
-        "scenario": Path(search.scenario).stem,
-        "planner": search.planner,
-        "vehicle": search.vehicle,
-        "controller": search.controller,
-        "speed": search.speed,
-        "corridor": search.corridor,
-        "smallest": found.unit,
-        "map_size": None if found.unit is None else [found.unit * width, found.unit * height],
-        "failing": None if found.failing is None else _step(found.failing),
-        "steps": [{"unit": step.unit, "trackworthy": step.trackworthy} for step in found.steps],
-        "between": list(search.between),
-        "tolerance": search.tolerance,
-        "expect_at_most": search.expect_at_most,
-        "passed": result.passed,
-        "error": found.error,
-    }
-
-
-def _step(step: Step) -> Json:
-    factor, unit = degrees(1.0, step.si_unit)
-    return {
-        "unit": step.unit,
-        "reason": step.reason,
-        "metric": step.metric or None,
-        "value": None if step.value is None else factor * step.value,
-        "limit": None if step.limit is None else factor * step.limit,
-        "metric_unit": unit or None,
-        "s": step.s,
     }
 
 

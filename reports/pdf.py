@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from campaigns.scales import ScaleResult
+from campaigns.searches import SearchResult
 from campaigns.summary import CaseResult
 from planners.atomic_file import atomic
 from reports.json_result import Json
@@ -16,7 +16,7 @@ from reports.pdf_case import case_data
 from reports.pdf_plans import Section, section_data
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
-from reports.scale_words import scale_row
+from reports.search_words import search_tables
 from tracking.outcome import Outcome
 
 _TEMPLATE = Path(__file__).with_name("report.typ")
@@ -32,18 +32,18 @@ def write_pdf(
     subtitle: str = "",
     commands: Sequence[str] = (),
     results: Sequence[CaseResult] = (),
-    scales: Sequence[ScaleResult] = (),
+    searches: Sequence[SearchResult] = (),
     plans: Sequence[Section] = (),
 ) -> None:
     """Write the report on `outcomes` under `title`: the same outcomes give the same bytes.
 
     `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
-    its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case. `scales`
-    are what its searches for the smallest scale found, `plans` what is told of its planners' plans. The file appears
-    whole or not at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where typst fails.
+    its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case.
+    `searches` are what its searches found, `plans` what is told of its planners' plans. The file appears whole or not
+    at all. Raises `InputError` where its folder does not exist, `TrackworthyError` where typst fails.
     """
     with tempfile.TemporaryDirectory(prefix="trackworthy-pdf-") as folder, atomic(file) as temporary:
-        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results, scales, plans))
+        temporary.write_bytes(_compiled(outcomes, Path(folder), title, subtitle, commands, results, searches, plans))
 
 
 def _compiled(
@@ -53,7 +53,7 @@ def _compiled(
     subtitle: str,
     commands: Sequence[str],
     results: Sequence[CaseResult],
-    scales: Sequence[ScaleResult],
+    searches: Sequence[SearchResult],
     plans: Sequence[Section],
 ) -> bytes:
     import typst
@@ -74,9 +74,9 @@ def _compiled(
         case = case_data(outcome, figure, fleet_figure, commands[number] if number < len(commands) else "")
         cases.append({**case, "trials": None if result is None else _trials(result, outcome, folder, number)})
     rows = summary_rows(outcomes, results, pages)
-    searches = [scale_row(result) for result in scales]
     told = {
-        "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases, "scales": searches,
+        "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": cases,
+        "searches": search_tables(searches),
         "plans": [_plans(section, folder, number) for number, section in enumerate(plans)],
     }  # fmt: skip
     data = json.dumps(told, ensure_ascii=False)

@@ -12,7 +12,7 @@ from planners.scenario import Scenario
 from reports.json_result import Json
 from reports.plan_pictures import Picture, draw_plans
 from reports.plan_rows import is_fleet, labels, limits, plan_row, yardsticks
-from reports.quantity import text
+from reports.quantity import number, text
 from reports.slug import slug
 from tracking.outcome import Outcome
 
@@ -47,7 +47,7 @@ def plan_sections(
     sections = []
     for i, (scenario, group) in enumerate(zip(scenarios, groups, strict=True)):
         named = dict(zip(labels(group), group, strict=True))
-        rows: list[Json] = [plan_row(one, name) for name, one in named.items()]
+        rows: list[Json] = [plan_row(one, name, results) for name, one in named.items()]
         stem = folder / f"plans-{i + 1}-{slug(scenario.name)}"
         pictures = draw_plans(named, results, outcomes, stem) if i in drawn else []
         told = note if i == noted else ""
@@ -83,5 +83,7 @@ def _about(scenario: Scenario, plans: Sequence[PlannedBy]) -> str:
     scale = f"{width:g} × {height:g} map units of {text(scenario.unit, 'm')}"
     exact = yardsticks(plans)
     what = "sum" if is_fleet(scenario) else "path"
-    parts = [scale, f"exact shortest {what} {exact}" if exact else "", limits(scenario)]
+    line = plans[0].straight
+    straight = "" if line is None else f"straight line {number(line / scenario.unit, 6)} map units"
+    parts = [scale, f"exact shortest {what} {exact}" if exact else "", straight, limits(scenario)]
     return "; ".join(filter(None, parts))

@@ -10,24 +10,32 @@ import msgspec
 
 from campaigns.claims import Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics, Spread
+from campaigns.summary import CaseResult
+from planners.astar.settings import planned_speed
 from planners.planner import Planner
 from planners.scenario import Scenario
 from reports.json_result import Json
+from reports.plan_driven import driven
 from reports.quantity import number, text
+from reports.words import KMH
 
 _DIGITS = 6  # significant digits in map units, as papers print them
 
 
-def plan_row(one: PlannedBy, label: str) -> dict[str, Json]:
-    """A planner's row, every number already words; where it has two lines, median and worst, "" for what is missing."""
+def plan_row(one: PlannedBy, label: str, results: Sequence[CaseResult] = ()) -> dict[str, Json]:
+    """A planner's row, every number already words; where it has two lines, median and worst, "" for what is missing.
+
+    `results` are those of the campaign's cases, with what became of the plans.
+    """
     told, unit = one.statistics, one.scenario.unit
     return {
         "name": label,
-        "about": "" if label != one.planner.name else changed(one.planner),
+        "about": "" if label != called(one) else changed(one.planner),
         "found": f"{told.found} of {told.seeds}",
         "missing": ", ".join(f"{count} {name}" for name, count in told.missing.items()),
         "length": _lines(told.length, 1.0 / unit, _DIGITS),
         "ratio": _lines(told.length_ratio, 1.0, 4),
+        "straight": [] if one.straight is None else _lines(told.length, 1.0 / one.straight, 4),
         "turn": [f"{number(angle)}°" for angle in (told.turn_5_deg, told.turn_1_deg) if angle is not None],
         "radius": _radius(one),
         "survivors": "" if told.survivors is None else f"{number(told.survivors)} of {told.population}",
@@ -36,13 +44,20 @@ def plan_row(one: PlannedBy, label: str) -> dict[str, Json]:
         "corner": "" if told.turn_max_deg is None else f"{number(told.turn_max_deg)}°",
         "over": _over(one),
         "stages": _stages(told, unit),
+        "driven": driven(one, results),
         "claims": [_claim_row(claim) for claim in one.claims],
     }
 
 
+def called(one: PlannedBy) -> str:
+    """The planner, and the speed that it plans for, which is that of a ground vehicle: "astar-arc, 45 km/h"."""
+    speed = "" if one.planned_for is None else f", {text(one.planned_for * KMH, 'km/h')}"
+    return f"{one.planner.name}{speed}"
+
+
 def labels(plans: Sequence[PlannedBy]) -> list[str]:
-    """What each of `plans` on one scenario is called: its planner, with the settings where another has the same."""
-    names = [one.planner.name for one in plans]
+    """What each of `plans` on one scenario is called: its planner and speed, with the settings where another is too."""
+    names = [called(one) for one in plans]
     return [
         name if names.count(name) == 1 else f"{name}, {changed(one.planner) or 'as by default'}"
         for name, one in zip(names, plans, strict=True)
@@ -50,9 +65,11 @@ def labels(plans: Sequence[PlannedBy]) -> list[str]:
 
 
 def changed(planner: Planner) -> str:
-    """The settings that are not as by default: "clearance = 20, taut = false"."""
+    """The settings that are not as by default: "clearance = 20, taut = false"; but for the speed to plan for."""
     own = cast(msgspec.Struct, planner)
     given, default = cast("tuple[dict[str, Any], ...]", (msgspec.to_builtins(own), msgspec.to_builtins(type(own)())))
+    if planned_speed(planner) is not None:
+        given.pop("speed")
     return ", ".join(f"{key} = {_value(value)}" for key, value in given.items() if value != default[key])
 
 
@@ -107,6 +124,7 @@ def _claim_row(claim: Claim) -> dict[str, Json]:
     return {
         "source": claim.source,
         "length": "" if claim.length is None else number(claim.length, _DIGITS),
+        "straight": "" if not claim.length or not claim.straight else number(claim.length / claim.straight, 4),
         "longest": "" if claim.longest is None else number(claim.longest, _DIGITS),
         "turn": "" if claim.turn is None else f"{number(claim.turn)}°",
         "survivors": "" if claim.survivors is None else "{} of {}".format(*claim.survivors),

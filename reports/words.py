@@ -16,7 +16,7 @@ from tracking.outcome import Outcome
 from tracking.verdict import EITHER, NOT_TRACKWORTHY
 
 FAULTS = (STALL, ON_GROUND, NOT_A_NUMBER)
-_KMH = 3.6  # [km/h per m/s]
+KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
 _BY_SLOPES = ("altitude_", "load_factor_", "stall_")
 # Metrics that a turn too tight cannot explain, by the start of their name.
@@ -51,9 +51,14 @@ def conditions(outcome: Outcome) -> tuple[str, ...]:
 
 
 def speed_words(outcome: Outcome) -> str:
-    """The commanded speed; for ground vehicles in km/h as well."""
-    metric = text(outcome.speed, "m/s")
-    return f"{metric} ({text(outcome.speed * _KMH, 'km/h')})" if outcome.limits.kind == GROUND else metric
+    """The commanded speed."""
+    return speed_text(outcome.speed, outcome.limits.kind)
+
+
+def speed_text(speed: float, kind: str) -> str:
+    """A speed of a vehicle of that `kind`; for ground vehicles in km/h as well: "12.5 m/s (45 km/h)"."""
+    metric = text(speed, "m/s")
+    return f"{metric} ({text(speed * KMH, 'km/h')})" if kind == GROUND else metric
 
 
 def wind_words(wind: Wind) -> str:

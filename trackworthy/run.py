@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from campaigns.campaign import Campaign
     from campaigns.execute import Finished
     from campaigns.ready import ReadyCase
-    from campaigns.scale_ready import ReadySearch
+    from campaigns.search import Search
+    from campaigns.search_ready import ReadySearch
 
 
 def add_parser(commands: Any) -> None:
@@ -37,7 +38,7 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.campaign import load_campaign
     from campaigns.execute import Machines, default_jobs, execute
     from campaigns.ready import make_ready
-    from campaigns.scale_ready import make_searches_ready
+    from campaigns.search_ready import make_searches_ready
     from planners.errors import InputError
     from reports.progress import watched
     from reports.slug import slug
@@ -69,15 +70,18 @@ def main(args: argparse.Namespace) -> int:
 
 def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: Path, fresh: bool) -> list[str]:
     """What is to be done besides the trials, whose progress is shown."""
+    from collections import Counter
+
     from reports.quantity import counted
 
     paths = {plan.key for ready in cases for plan in ready.plans if fresh or not plan.done(folder)}
     said = [f"making {counted(len(paths), 'plan')}"] if paths else []
-    return [*said, f"searching {counted(len(searches), 'smallest scale')}"] if searches else said
+    kinds = Counter(one.search.BLOCK.replace("_", " ") for one in searches)
+    return [*said, *(f"searching {counted(count, kind)}" for kind, count in kinds.items())]
 
 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
-    """Every case with its number of trials, and every search for the smallest scale."""
+    """Every case with its number of trials, and every search."""
     from planners.outside import OutsidePlanner
     from reports.quantity import counted
 
@@ -90,11 +94,21 @@ def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
         what = f"{path}, {case.vehicle}, {case.controller}, {case.speed:.4g} m/s"
         print(f"{case.name:<{width}}  {case.trials:>6}  {what}")
     for search in campaign.searches:
-        low, high = search.between
-        what = f"smallest scale of {search.scenario}, {search.planner}, {search.vehicle}, {search.controller}"
-        print(f"{search.name:<{width}}          {what}, {low:g} to {high:g} m")
+        print(f"{search.name:<{width}}          {_asked(search)}")
     print(f"{counted(len(cases), 'case')}, {counted(campaign.trials, 'trial')}")
     return 0
+
+
+def _asked(search: Search) -> str:
+    """What a search is for, and within which range."""
+    from campaigns.search import ScaleSearch
+
+    low, high = (f"{end:g}" if isinstance(end, float) else end for end in search.between)
+    followed = f"{search.vehicle}, {search.controller}"
+    if isinstance(search, ScaleSearch):
+        return f"smallest scale of {search.scenario}, {search.planner}, {followed}, {low} to {high} m"
+    path = search.path or f"{search.planner} on {search.scenario}"
+    return f"top speed of {path}, {followed}, {low} to {high}"
 
 
 def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
@@ -128,7 +142,7 @@ def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) ->
     plans = plan_sections(finished.plans, finished.results, finished.outcomes, campaign.note, figures)
     write_pdf(
         outcomes, folder / "report.pdf", campaign.title,
-        commands=commands, results=finished.results, scales=finished.scales, plans=plans,
+        commands=commands, results=finished.results, searches=finished.searches, plans=plans,
     )  # fmt: skip
 
 
@@ -137,18 +151,18 @@ def _answer(finished: Finished, folder: Path) -> int:
     from campaigns.attempt import INPUT
     from planners.errors import InputError, TrackworthyError
     from reports.campaign_words import case_line
-    from reports.scale_words import scale_line
+    from reports.search_words import search_line
 
-    results, scales = finished.results, finished.scales
+    results, searches = finished.results, finished.searches
     for result in results:
         print(case_line(result, finished.outcomes.get(result.case.name)))
-    for scale in scales:
-        print(scale_line(scale))
+    for search in searches:
+        print(search_line(search))
     passed = sum(result.passed for result in results)
-    asked = [scale.passed for scale in scales if scale.passed is not None]
+    asked = [search.passed for search in searches if search.passed is not None]
     kinds = [result.statistics.kinds for result in results if result.statistics.errors]
-    kinds += [frozenset({scale.found.kind}) for scale in scales if scale.found.error]
-    found = f" and {sum(asked)} of {len(asked)} smallest scales" if asked else ""
+    kinds += [frozenset({search.found.kind}) for search in searches if search.found.error]
+    found = f" and {sum(asked)} of {len(asked)} searches" if asked else ""
     failures = f", {len(kinds)} failed to run" if kinds else ""
     print(f"{passed} of {len(results)} cases{found} as expected{failures}; report: {folder / 'report.pdf'}")
     if kinds:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 import msgspec
+from msgspec.structs import replace
 
 from planners.planner import Planner
 from planners.units import parse_speed
@@ -21,7 +22,7 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
 
     def __post_init__(self) -> None:
         if self.speed is not None:
-            parse_speed(self.speed)
+            parse_speed(self.speed, "set.speed")
 
     @property
     def planned_speed(self) -> float:
@@ -32,3 +33,10 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
 def planned_speed(planner: Planner) -> float | None:
     """The speed [m/s] that `planner` plans for, None for one that plans for no speed."""
     return planner.planned_speed if isinstance(planner, SpeedSettings) else None
+
+
+def for_speed(planner: Planner, speed: float) -> Planner:
+    """`planner` with its speed as a number [m/s]: the one it was set to, else `speed`; any other planner as it is."""
+    if not isinstance(planner, SpeedSettings):
+        return planner
+    return replace(planner, speed=speed if planner.speed is None else planner.planned_speed)

@@ -7,14 +7,12 @@ from typing import ClassVar
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from campaigns.campaign import load_campaign
 from campaigns.execute import execute
 from campaigns.ready import make_ready
-from campaigns.scale_ready import make_searches_ready
-from campaigns.scale_steps import find, smallest
+from campaigns.search_ready import make_searches_ready
+from campaigns.search_steps import find
 from planners.all_planners import ALL_PLANNERS
 from planners.errors import InputError
 from planners.map import Circle, Map, Raster
@@ -88,38 +86,7 @@ def run(tmp_path, text, folder="out"):
         campaign, make_ready(campaign), tmp_path / folder, InThisProcess(), lambda one, *_: [*one],
         searches=make_searches_ready(campaign),
     )  # fmt: skip
-    return {result.search.name: result for result in finished.scales}
-
-
-# Bisection
-
-
-@given(st.floats(0.6, 90.0), st.floats(0.001, 0.5))
-def test_the_border_is_found_to_the_tolerance(border, tolerance):
-    unit, below = smallest(lambda value: value >= border, 0.5, 100.0, tolerance)
-    assert below < border <= unit <= (1.0 + tolerance) * below
-
-
-def test_it_takes_no_more_tries_than_the_logarithm_says():
-    """The interval of logarithms is halved each time, after both ends."""
-    tried = []
-    smallest(lambda value: tried.append(value) or value >= 7.0, 0.5, 100.0, 0.02)
-    assert len(tried) == len(set(tried)) == 2 + math.ceil(math.log2(math.log(200.0) / math.log(1.02)))
-
-
-def test_where_nothing_or_everything_holds_the_ends_tell():
-    assert smallest(lambda _: False, 0.5, 100.0, 0.02) == (None, 100.0)
-    assert smallest(lambda _: True, 0.5, 100.0, 0.02) == (0.5, None)
-
-
-def test_where_it_holds_in_parts_one_of_the_borders_is_found():
-    def holds(value):
-        return 2.0 <= value <= 3.0 or value >= 50.0
-
-    unit, below = smallest(holds, 0.5, 100.0, 0.02)
-    assert holds(unit)
-    assert not holds(below)
-    assert below < unit <= 1.02 * below
+    return {result.search.name: result for result in finished.searches}
 
 
 # Scaled scenarios
@@ -170,16 +137,16 @@ def test_the_smallest_scale_is_where_the_bend_is_wide_enough(tmp_path):
     (search,) = ready(tmp_path, SEARCH)
     found = find(search)
     assert found.error == ""
-    assert 1.7 < found.unit < 3.4
-    assert found.failing.unit < found.unit <= 1.02 * found.failing.unit
+    assert 1.7 < found.at < 3.4
+    assert found.failing.at < found.at <= 1.02 * found.failing.at
     assert not found.failing.trackworthy
     assert found.failing.metric in ("lateral_acceleration_max", "cross_track_max")
-    tried = {step.unit: step.trackworthy for step in found.steps}
-    assert tried[found.unit]
+    tried = {step.at: step.trackworthy for step in found.steps}
+    assert tried[found.at]
     assert list(tried) == CALLS  # planned anew at each scale
     again = find(ready(tmp_path, SEARCH + "tolerance = 0.5\n")[0])
-    assert again.unit / again.failing.unit <= 1.5
-    assert again.failing.unit < found.unit <= again.unit * 1.02
+    assert again.at / again.failing.at <= 1.5
+    assert again.failing.at < found.at <= again.at * 1.02
 
 
 @pytest.mark.parametrize(
@@ -188,17 +155,17 @@ def test_the_smallest_scale_is_where_the_bend_is_wide_enough(tmp_path):
 def test_a_scale_without_a_path_is_not_trackworthy(tmp_path, fail, told):
     (search,) = ready(tmp_path, SEARCH + f'set = {{ least = 5.0, fail = "{fail}" }}\n')
     found = find(search)
-    assert 5.0 <= found.unit <= 5.0 * 1.02
+    assert 5.0 <= found.at <= 5.0 * 1.02
     assert told in found.failing.reason
 
 
 def test_ends_that_tell_all(tmp_path):
     (search,) = ready(tmp_path, SEARCH.replace("[0.5, 8.0]", "[0.5, 1.0]"))
     found = find(search)
-    assert (found.unit, found.failing.unit, len(found.steps)) == (None, 1.0, 1)
+    assert (found.at, found.failing.at, len(found.steps)) == (None, 1.0, 1)
     (search,) = ready(tmp_path, SEARCH.replace("[0.5, 8.0]", "[6.0, 8.0]"))
     found = find(search)
-    assert (found.unit, found.failing, len(found.steps)) == (6.0, None, 2)
+    assert (found.at, found.failing, len(found.steps)) == (6.0, None, 2)
 
 
 def test_a_found_scale_is_kept_and_one_that_failed_is_tried_again(tmp_path):
@@ -210,8 +177,8 @@ def test_a_found_scale_is_kept_and_one_that_failed_is_tried_again(tmp_path):
     assert again["bend"].found == first["bend"].found
     assert CALLS[tries:] == [8.0, 0.5]  # those of the broken one
     assert (tmp_path / "out" / "summary.json").read_bytes() == before
-    (kept,) = (tmp_path / "out" / "scales").iterdir()
-    assert json.loads(kept.read_text())["unit"] == first["bend"].found.unit
+    (kept,) = (tmp_path / "out" / "searches").iterdir()
+    assert json.loads(kept.read_text())["at"] == first["bend"].found.at
     with pytest.raises(InputError, match="'smallest_scale bend' is not the same"):
         run(tmp_path, text.replace("speed = 10", "speed = 9"))
 
@@ -293,7 +260,7 @@ def test_in_workers_too(tmp_path):
 def test_a_route_may_stay_the_same_at_every_scale(tmp_path):
     """Planned once, at the map's own 2 m a unit; below the planner's least scale it would find nothing."""
     anew = find(*ready(tmp_path, SEARCH + "set = { least = 1.9 }\n"))
-    assert anew.unit == pytest.approx(1.9, rel=0.02)
+    assert anew.at == pytest.approx(1.9, rel=0.02)
     CALLS.clear()
     same = find(*ready(tmp_path, SEARCH + "set = { least = 1.9 }\nreplan = false\n"))
     assert CALLS == [2.0]
