@@ -10,6 +10,7 @@ import numpy as np
 from planners.aco.basic import AcoBasic, AcoBasicPrinted
 from planners.aco.improved import AcoImproved
 from planners.aco.turn_aware import AcoTurnAware
+from planners.astar.grid import AstarEight, AstarFour
 from planners.errors import InputError
 from planners.exact import Exact
 from planners.pio.vdp import Vdp, VdpPio
@@ -19,7 +20,7 @@ from planners.typed_toml import convert, suggestion
 from planners.voronoi.vd import Vd
 
 ALL_PLANNERS: tuple[type[Planner], ...] = (
-    Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware, Vd, VdpPio, Vdp,
+    Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware, Vd, VdpPio, Vdp, AstarFour, AstarEight,
 )  # fmt: skip
 
 

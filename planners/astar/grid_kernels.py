@@ -16,7 +16,9 @@ SIDE, DIAGONAL = 1 << 36, 97_184_015_999
 HALF_SIDE = 35  # [bits] the width of a bucket
 BUCKETS = 8  # half sides: more than the sqrt(8) sides that one step adds to f at most
 
-FREE, FIRST, BLOCKED = 0, 9, 255  # of a cell; 1 to 8 say which of the `steps` reached it
+EAST = np.array([1, 0, -1, 0, 1, -1, -1, 1])
+NORTH = np.array([0, 1, 0, -1, 1, 1, -1, -1])
+FREE, BLOCKED, FIRST = 0, 1, 2  # of a cell; from `FIRST` on, by which step it was reached
 WAITING = 16  # added to a cell in a bucket
 
 
@@ -25,7 +27,7 @@ def search(
     cells: Bytes, lengths: Ints, links: Links, width: int,
     start: int, goal: int, directions: int, diagonal: int, cutting: bool,
 ) -> int:  # fmt: skip
-    """The length of the shortest path from `start` to `goal`, indices of cells, in units of `SIDE`; -1 if there is none.
+    """Length of the shortest path from `start` to `goal`, indices of cells, in units of `SIDE`; -1 if there is none.
 
     `cells` (N,) are `FREE` or `BLOCKED`, row by row of `width`, with a border of blocked ones, and then say how each
     was reached; `lengths` (N,) and `links` (N, 2) are room to work in. There are 4 or 8 `directions`; a step in the
@@ -36,20 +38,22 @@ def search(
     1979). Of a bucket the last to come is taken first, and once more if it then becomes nearer. With the goal reached,
     only what may lead to it by a shorter way is looked at.
     """
-    steps = (1, width, -1, -width, width + 1, width - 1, -width - 1, -width + 1)
+    steps = EAST + width * NORTH
+    goal_x, goal_y = goal % width, goal // width
     heads = np.full(BUCKETS, -1)
-    cells[start], lengths[start] = FIRST, 0
-    at = _least(start, goal, width, diagonal) >> HALF_SIDE
+    cells[start], lengths[start] = FIRST + 8, 0
+    at = _least(start % width - goal_x, start // width - goal_y, diagonal) >> HALF_SIDE
     _put(start, at, cells, links, heads)
     best, waiting = -1, 1
     while waiting > 0 and (best < 0 or at << HALF_SIDE < best):
-        here = heads[at % BUCKETS]
+        here = heads[at & BUCKETS - 1]
         if here < 0:
             at += 1
             continue
         _take(here, at, cells, links, heads)
         waiting -= 1
-        if best >= 0 and lengths[here] + _least(here, goal, width, diagonal) >= best:
+        x, y = here % width - goal_x, here // width - goal_y
+        if best >= 0 and lengths[here] + _least(x, y, diagonal) >= best:
             continue
         for k in range(directions):
             there = here + steps[k]
@@ -58,14 +62,14 @@ def search(
             length = lengths[here] + (SIDE if k < 4 else diagonal)
             if cells[there] != FREE and lengths[there] <= length:
                 continue
-            if k >= 4 and not cutting:
-                if cells[here + steps[k - 4]] == BLOCKED or cells[here + steps[(k - 3) % 4]] == BLOCKED:
-                    continue
-            rest = _least(there, goal, width, diagonal)
+            beside, across = here + steps[k & 3], here + steps[k - 3 & 3]
+            if k >= 4 and not cutting and (cells[beside] == BLOCKED or cells[across] == BLOCKED):
+                continue
+            rest = _least(x + EAST[k], y + NORTH[k], diagonal)
             if cells[there] >= WAITING:
                 _take(there, (lengths[there] + rest) >> HALF_SIDE, cells, links, heads)
                 waiting -= 1
-            lengths[there], cells[there] = length, k + 1
+            lengths[there], cells[there] = length, FIRST + k
             if there == goal:
                 best = length
             else:
@@ -77,37 +81,37 @@ def search(
 @kernel
 def corners(cells: Bytes, width: int, start: int, goal: int) -> Ints:
     """The cells at which the path found turns, from goal to start, both included."""
-    steps = (1, width, -1, -width, width + 1, width - 1, -width - 1, -width + 1)
-    here, count = goal, 2
+    steps = EAST + width * NORTH
+    found = np.empty(8, np.int64)
+    found[0], here, last, count = goal, goal, -1, 1
     while here != start:
-        last, here = cells[here], here - steps[cells[here] % WAITING - 1]
-        count += here != start and cells[here] % WAITING != last % WAITING
-    found = np.empty(count, np.int64)
-    here, count = goal, 1
-    found[0] = goal
-    while here != start:
-        last, here = cells[here], here - steps[cells[here] % WAITING - 1]
-        if here == start or cells[here] % WAITING != last % WAITING:
+        by = cells[here] % WAITING - FIRST
+        if by != last and here != goal:
+            if count + 1 == len(found):
+                found = np.concatenate((found, found))
             found[count] = here
             count += 1
-    return found
+        here, last = here - steps[by], by
+    if start != goal:
+        found[count] = start
+        count += 1
+    return found[:count]
 
 
 @kernel
-def _least(here: int, goal: int, width: int, diagonal: int) -> int:
-    """The length from `here` to `goal` without obstacles."""
-    dx, dy = abs(here % width - goal % width), abs(here // width - goal // width)
-    return SIDE * max(dx, dy) + (diagonal - SIDE) * min(dx, dy)
+def _least(x: int, y: int, diagonal: int) -> int:
+    """The length over `x` columns and `y` rows without obstacles."""
+    return SIDE * max(abs(x), abs(y)) + (diagonal - SIDE) * min(abs(x), abs(y))
 
 
 @kernel
 def _put(cell: int, bucket: int, cells: Bytes, links: Links, heads: Ints) -> None:
     """Put the cell in front of the others of that bucket."""
-    after = heads[bucket % BUCKETS]
+    after = heads[bucket & BUCKETS - 1]
     links[cell, 0], links[cell, 1] = -1, after
     if after >= 0:
         links[after, 0] = cell
-    heads[bucket % BUCKETS] = cell
+    heads[bucket & BUCKETS - 1] = cell
     cells[cell] += WAITING
 
 
@@ -118,7 +122,7 @@ def _take(cell: int, bucket: int, cells: Bytes, links: Links, heads: Ints) -> No
     if before >= 0:
         links[before, 1] = after
     else:
-        heads[bucket % BUCKETS] = after
+        heads[bucket & BUCKETS - 1] = after
     if after >= 0:
         links[after, 0] = before
     cells[cell] -= WAITING
