@@ -11,17 +11,15 @@ from msgspec.structs import replace
 
 from planners.clearance import clearance
 from planners.errors import TrackworthyError
-from planners.exact import Exact
+from planners.exact import Exact, too_fine
 from planners.footprint import Disc
 from planners.kernel import Floats
-from planners.outline import raster_edges
 from planners.path import Path
 from planners.planner import History, Plan, Planner
 from planners.scenario import Scenario
 from planners.units import wrap_all
 
 CHECKED = 0.25  # map units between the points at which a path's clearance is taken, besides its own
-MOST_EDGES = 20_000  # of a raster: the time of the exact path grows with their square, to some 5 s here
 CLEARANCE_DIGITS = 4  # decimals of a metre: a path that touches is 0 clear, whatever rounding says
 
 
@@ -126,10 +124,9 @@ def exact_length(scenario: Scenario, clearance: float, count: int = 1) -> float 
     """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum.
 
     None where there is none, GEOS fails, or it serves not just `count` aircraft: sums over others do not compare. None
-    as well on a raster of more than `MOST_EDGES`.
+    as well on a map that is too fine for it.
     """
-    raster = scenario.map.raster
-    if raster is not None and len(raster_edges(raster)) > MOST_EDGES:
+    if too_fine(scenario.map):
         return None
     try:
         plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
