@@ -91,7 +91,7 @@ def grid_plan(
     area = inflated(scenario.map, settings.clearance)
     grid = grid_of(scenario, area, settings.cell_on(scenario))
     start, goal = accesses(scenario, area, grid, settings.clearance, name)
-    way = _way(grid.blocked, start.centre, goal.centre, directions, diagonal, cutting)
+    way = shortest_way(grid.blocked, start.centre, goal.centre, directions, diagonal, cutting)
     if way is None:
         return Plan(outcome=NO_PATH, reason=f"no free cells of {grid.cell:g} m lead from start to goal")
     points = (grid.x, grid.y) + grid.cell * joined(way, start, goal)
@@ -105,7 +105,9 @@ def grid_plan(
     return Plan(paths=(path,), smallest_radius=math.inf if len(points) == 2 else None, notes=notes)
 
 
-def _way(blocked: Bools, start: Floats, goal: Floats, directions: int, diagonal: int, cutting: bool) -> Floats | None:
+def shortest_way(
+    blocked: Bools, start: Floats, goal: Floats, directions: int, diagonal: int, cutting: bool
+) -> Floats | None:
     """The centres of cells (N, 2) where the shortest way turns, `start` and `goal` (2,) included, if there is one."""
     rows, columns = blocked.shape[0] + 2, blocked.shape[1] + 2
     cells = np.ones((rows, columns), dtype=np.uint8)
