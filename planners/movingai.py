@@ -18,7 +18,10 @@ from planners.files.text import read_text
 from planners.kernel import Bools
 
 COLUMNS = ("bucket", "map", "map width", "map height", "start x", "start y", "goal x", "goal y", "optimal length")
-PASSABLE, BLOCKED = ".GS", "@OTW"  # swamp as any other ground: the published lengths count it so; water can be no start
+PASSABLE, BLOCKED = (
+    ".GS",
+    "@OTW",
+)  # swamp as any other ground, for the format names no cost; water is not reached from it
 
 HEADER = ("type", "height", "width", "map")
 
