@@ -21,7 +21,7 @@ from planners.scenario import Scenario
 from planners.visibility import shortest
 
 GAP = 1e-10  # [largest coordinates] kept from everything, so that no path slips between obstacles that touch
-MOST_EDGES = 20_000  # of a raster: its exact path takes some 5 s, and four times that for twice as many
+MOST_EDGES = 20_000  # of a raster: its exact path takes some 5 s, and three times that for twice as many
 NEAR = 100.0  # [gaps] as far as a start or goal is moved out of the gap
 
 
