@@ -12,6 +12,7 @@ import msgspec
 from campaigns.case import Case
 from campaigns.search import ScaleSearch, SpeedSearch
 from planners.errors import InputError
+from planners.scenario import stem_of
 from planners.typed_toml import convert
 
 WHOLE_LISTS = ("require", "between", "others")  # keys whose own value is a list
@@ -30,7 +31,7 @@ def expanded(block: dict[str, Any], place: str, into: type[T]) -> list[T]:
     found = []
     for combination, chosen in _combinations(block, place):
         one = convert(combination, into, place)
-        stem = one.name or Path(combination.get("path") or one.scenario or "").stem
+        stem = one.name or (Path(combination["path"]).stem if combination.get("path") else stem_of(one.scenario or ""))
         name = " ".join([stem, *_words(chosen, said)])
         found.append(msgspec.structs.replace(one, name=name))
     return found

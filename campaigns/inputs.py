@@ -76,7 +76,7 @@ class Reader:
 
     def _placed(self, scenario: Scenario, unit: float | None, planet: Planet) -> Scenario:
         """The scenario at that scale and on that planet: one object for each, by which plans are told apart."""
-        key = f"{scenario.files[0]} {unit!r} {planet.name}"
+        key = f"{scenario.files[0]} {scenario.problem} {unit!r} {planet.name}"
         if key not in self._scenarios:
             if unit is not None:
                 scenario = scaled(scenario, unit)

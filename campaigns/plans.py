@@ -76,6 +76,8 @@ def plans_of(case: Case, inputs: Inputs, campaign: Campaign, contents: list[str]
         deciding: list[object] = [contents, case.unit, planner.deciding, programs]
     else:
         deciding = [contents, case.unit, planner.name, planner]
+    if inputs.scenario.problem is not None:
+        deciding.append(inputs.scenario.problem)
     trials = range(1, case.trials + 1) if case.replan else (None,)
     seeds = [plan_seed(campaign.seed, case, trial) for trial in trials]
     return tuple(Plan(digest(*deciding, seed)[:16], planner, inputs.scenario, seed, campaign.folder) for seed in seeds)

@@ -111,7 +111,8 @@ class _Copies:
                 beside.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(picture, beside)
 
-        return self._place(source, copy, source.name)
+        placed = self._place(source, copy, source.name)
+        return placed if scenario.problem is None else f"{placed}:{scenario.problem}"
 
     def aircraft(self, source: Path, aircraft: Aircraft) -> str:
         """An aircraft's file, and its own JSBSim folder."""

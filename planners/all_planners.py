@@ -12,6 +12,7 @@ from planners.aco.improved import AcoImproved
 from planners.aco.turn_aware import AcoTurnAware
 from planners.astar.arc import AstarArc
 from planners.astar.arc_printed import AstarArcPaper
+from planners.astar.grid import AstarEight, AstarFour
 from planners.errors import InputError
 from planners.exact import Exact
 from planners.pio.vdp import Vdp, VdpPio
@@ -22,7 +23,7 @@ from planners.voronoi.vd import Vd
 
 ALL_PLANNERS: tuple[type[Planner], ...] = (
     Exact, AcoBasicPrinted, AcoBasic, AcoImproved, AcoTurnAware, Vd, VdpPio, Vdp,
-    AstarArcPaper, AstarArc,
+    AstarFour, AstarEight, AstarArcPaper, AstarArc,
 )  # fmt: skip
 
 

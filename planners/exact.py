@@ -14,12 +14,14 @@ from planners.fleet import fleet_ends, pair_name, unserved, why_unserved
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
 from planners.offset import bearings, grown, overlay, shrunk, tangents
+from planners.outline import raster_edges
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
 from planners.scenario import Scenario
 from planners.visibility import shortest
 
 GAP = 1e-10  # [largest coordinates] kept from everything, so that no path slips between obstacles that touch
+MOST_EDGES = 20_000  # of a raster: its exact path takes some 5 s, and three times that for twice as many
 NEAR = 100.0  # [gaps] as far as a start or goal is moved out of the gap
 
 
@@ -57,6 +59,11 @@ class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         straight = all(len(path.points) == 2 for path in paths)
         notes = unserved(scenario, {i for i, _, _ in flown}, why_unserved(scenario))
         return Plan(paths=paths, smallest_radius=math.inf if straight else None, notes=notes)
+
+
+def too_fine(area: Map) -> bool:
+    """Whether the exact path takes too long where it is but a yardstick."""
+    return area.raster is not None and len(raster_edges(area.raster)) > MOST_EDGES
 
 
 def free_space(area: Map, clearance: float, ends: Floats) -> Any:

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from planners.clearance import clearance
 from planners.errors import TrackworthyError
-from planners.exact import Exact
+from planners.exact import Exact, too_fine
 from planners.footprint import Disc
 from planners.kernel import Floats
 from planners.path import Path
@@ -123,8 +123,11 @@ def _with_paths(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenar
 def exact_length(scenario: Scenario, clearance: float, count: int = 1) -> float | None:
     """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum.
 
-    None where there is none, GEOS fails, or it serves not just `count` aircraft: sums over others do not compare.
+    None where there is none, GEOS fails, or it serves not just `count` aircraft: sums over others do not compare. None
+    as well on a map that is too fine for it.
     """
+    if too_fine(scenario.map):
+        return None
     try:
         plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
     except TrackworthyError:

@@ -13,7 +13,7 @@ from planners.errors import InputError
 from planners.inflate import inflated
 from planners.kernel import Bools, Floats
 from planners.map import Map
-from planners.occupancy import extent, occupancy
+from planners.occupancy import Grid, extent, occupancy
 from planners.planner import only_pair
 from planners.scenario import Scenario
 
@@ -53,11 +53,7 @@ def ground_of(scenario: Scenario, planner: str, cell: float, clearance: float) -
     Raises `InputError` for a start or goal in a blocked cell, and for a grid beyond all memory.
     """
     start, goal = only_pair(scenario, planner)
-    width, height = scenario.size
-    if width * height > MOST_CELLS * cell**2:
-        what = f"cells of {cell:g} m make a grid of more than {MOST_CELLS / 1e6:g} million"
-        raise InputError(scenario.name, what, "give larger cells")
-    grid = occupancy(inflated(scenario.map, clearance), cell, (0.0, 0.0, width, height))
+    grid = grid_of(scenario, inflated(scenario.map, clearance), cell)
     origin = np.array([grid.x, grid.y])
     rows, columns = grid.blocked.shape
     places = []
@@ -69,6 +65,18 @@ def ground_of(scenario: Scenario, planner: str, cell: float, clearance: float) -
             raise InputError(f"{scenario.name}: {name}", what, "move it, or give smaller cells or less clearance")
         places.append(at)
     return Ground(grid.blocked, cell, origin, *places)
+
+
+def grid_of(scenario: Scenario, area: Map, cell: float) -> Grid:
+    """The cells of `cell` [m] over the whole of the scenario; `area` is its map, or that map inflated.
+
+    Raises `InputError` for a grid beyond all memory.
+    """
+    width, height = scenario.size
+    if width * height > MOST_CELLS * cell**2:
+        what = f"cells of {cell:g} m make a grid of more than {MOST_CELLS / 1e6:g} million"
+        raise InputError(scenario.name, what, "give larger cells")
+    return occupancy(area, cell, (0.0, 0.0, width, height))
 
 
 def cover_ratio(area: Map, cell: float) -> float:

@@ -115,7 +115,7 @@ def _farthest(circle: Circle, origin: Floats, cell: float, rows: int, columns: i
 
 def _resampled(raster: Raster, origin: Floats, cell: float, rows: int, columns: int) -> Bools:
     """Which cells share an area with a blocked cell of `raster`: a sum over a block of those is not 0."""
-    if cell == raster.cell and raster.blocked.shape == (rows, columns) and (origin == (raster.x, raster.y)).all():
+    if raster.cell == cell and (raster.x, raster.y) == tuple(origin) and raster.blocked.shape == (rows, columns):
         return raster.blocked
     sums = np.pad(np.cumsum(np.cumsum(raster.blocked, axis=0, dtype=np.int64), axis=1), ((1, 0), (1, 0)))
     spans = []

@@ -14,6 +14,7 @@ from planners.footprint import Disc
 from planners.frame import Frame
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
+from planners.movingai import Problem, is_movingai, read_problem
 from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
 from planners.typed_toml import read_toml, suggestion
 
@@ -38,7 +39,7 @@ class Scenario:
     a map unit of the file is. `max_range` [m] limits the length of a path, `max_turn_angle` [rad] the turn at
     its vertices; None where there is no limit. `planet` is where the map lies, "" for anywhere. `picture` is
     the aerial image of a map whose truth is known, for planners that find the obstacles in it; `files` all
-    that was read, the scenario's own first.
+    that was read, the scenario's own first, and `problem` which one that is of the several in it.
     """
 
     name: str
@@ -52,14 +53,17 @@ class Scenario:
     planet: str = ""
     picture: FilePath | None = None
     files: tuple[FilePath, ...] = ()
+    problem: int | None = None
 
 
 def load_scenario(name_or_file: str | FilePath) -> Scenario:
-    """The built-in scenario of that name, or the one in that TOML file.
+    """The built-in scenario of that name, that of a TOML file, or movingai.com's problem `FILE.scen:NUMBER`.
 
     Raises `InputError` naming file, key and remedy: a file or picture that is missing, a key that is unknown
     or of the wrong kind, an area that is none, a start or goal in an obstacle or off the map.
     """
+    if is_movingai(str(name_or_file)):
+        return _of_problem(read_problem(str(name_or_file)))
     file = _find(name_or_file)
     keys = read_toml(file, ScenarioKeys)
     area = map_from_keys(keys, file)
@@ -81,6 +85,29 @@ def load_scenario(name_or_file: str | FilePath) -> Scenario:
         planet=keys.planet,
         picture=picture,
         files=(file, *pictures),
+    )
+
+
+def stem_of(name_or_file: str) -> str:
+    """What a scenario is called before it is read: as its file, with the number of a problem."""
+    file, _, number = name_or_file.partition(".scen:")
+    return f"{FilePath(file).stem} {number}" if number else FilePath(name_or_file).stem
+
+
+def _of_problem(problem: Problem) -> Scenario:
+    """The scenario of a problem, in map units of 1 m; its start and goal are known to be free."""
+    rows, columns = problem.blocked.shape
+    starts, goals = np.array([problem.start]), np.array([problem.goal])
+    for places in (starts, goals):
+        places.setflags(write=False)
+    return Scenario(
+        name=problem.name,
+        map=Map(raster=Raster(problem.blocked, 1.0), bounds=(0.0, 0.0, float(columns), float(rows))),
+        starts=starts,
+        goals=goals,
+        size=(float(columns), float(rows)),
+        files=problem.files,
+        problem=problem.number,
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 from shapely import box
 
-from planners.exact import Exact
+from planners.exact import Exact, too_fine
 from planners.path import Path
 from planners.scenario import Scenario
 from reports.extent import Extent
@@ -44,7 +44,9 @@ def whole_map(scenario: Scenario) -> Extent:
 
 
 def shortest(scenario: Scenario, clearance: float) -> tuple[Path, ...]:
-    """The exact shortest paths that keep `clearance` [m], one a vehicle; none where there are none."""
+    """The exact shortest paths that keep `clearance` [m], one a vehicle; none where none is or it takes too long."""
+    if too_fine(scenario.map):
+        return ()
     return Exact(clearance=clearance).plan(scenario, np.random.default_rng(0)).paths
 
 

@@ -18,7 +18,7 @@ def add_parser(commands: Any) -> None:
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
-    add("scenario", metavar="SCENARIO", help="a built-in name or a TOML file")
+    add("scenario", metavar="SCENARIO", help="a built-in name, a TOML file, or FILE.scen:NUMBER of movingai.com")
     add("--planner", required=True, help="its name, from: trackworthy list planners")
     add("--seed", type=int, default=0, metavar="N", help="decides all that is random (default: 0)")
     add(

@@ -33,7 +33,7 @@ def add_parser(commands: Any) -> None:
     add("--altitude", help="metres; in place of the path's own heights")
     add("--wind", help="10@270: 10 m/s from 270 degrees true")
     add("--corridor", help="half-width in metres within which the path must be kept")
-    add("--scenario", help="map with obstacles: a built-in name or a TOML file")
+    add("--scenario", help="map with obstacles: a built-in name, a TOML file, or FILE.scen:NUMBER")
     add("--corners", choices=("as-drawn", "fly-by"), default="as-drawn", help="fly-by rounds a mission's corners")
     add("--steering-hz", type=float, default=20.0, help="how often a truck may steer (paper 004: 2)")
     add("--departures", choices=("together", "separated"), default="together", help="of a fleet; separated by delays")

@@ -9,6 +9,7 @@ import pytest
 
 from campaigns.campaign import load_campaign
 from campaigns.ready import make_ready
+from campaigns.resolved import write_resolved
 from planners import files
 from planners.all_planners import ALL_PLANNERS
 from planners.errors import InputError
@@ -89,6 +90,21 @@ def summary(folder):
 
 
 # By name, with settings
+
+
+def test_two_problems_of_one_movingai_file_are_two_cases(tmp_path):
+    (tmp_path / "hall.map").write_text("type octile\nheight 20\nwidth 20\nmap\n" + 20 * (20 * "." + "\n"))
+    lines = [f"0\thall.map\t20\t20\t2\t2\t{x}\t10\t16.0\n" for x in (16, 17)]
+    (tmp_path / "hall.map.scen").write_text("version 1\n" + "".join(lines))
+    both = PLANNED.replace('name = "planned"\n', "").replace('"yard.toml"', '["hall.map.scen:1", "hall.map.scen:2"]')
+    file = write_campaign(tmp_path, both.replace("random", "astar-eight"))
+    one, other = make_ready(load_campaign(file))
+    assert [ready.case.name for ready in (one, other)] == ["hall 1", "hall 2"]
+    assert one.plans[0].key != other.plans[0].key
+    assert one.plans[0].scenario.goals.tolist() != other.plans[0].scenario.goals.tolist()
+    write_resolved(load_campaign(file), (one, other), tmp_path / "again")
+    again = make_ready(load_campaign(tmp_path / "again" / "campaign.toml"))
+    assert [ready.plans[0].key for ready in again] == [one.plans[0].key, other.plans[0].key]
 
 
 def test_a_planner_by_name_plans_in_a_worker_and_leaves_its_facts(tmp_path, campaign):

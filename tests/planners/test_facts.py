@@ -5,6 +5,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from grid_maps import on_cells
 from planners import facts
 from planners.all_planners import make_planner, plan_with
 from planners.errors import TrackworthyError
@@ -58,6 +59,15 @@ def test_a_yardstick_that_fails_costs_no_plan(monkeypatch):
 
     monkeypatch.setattr(facts.Exact, "plan", fails)
     assert exact_length(scenario(), 7.0 * UNIT) is None
+
+
+def test_a_raster_too_fine_for_the_yardstick_has_none():
+    cells = np.zeros((145, 145), dtype=bool)
+    cells[1::2, 1::2] = True  # 72 x 72 of four edges each
+    found = on_cells(cells, (0, 0), (0, 144))
+    known = told("astar-eight", found)
+    assert known.length == pytest.approx(144.0)
+    assert (known.exact_length, known.length_ratio) == (None, None)
 
 
 def test_a_fleet_of_which_some_stay_is_not_compared_with_one_that_flies_whole():
