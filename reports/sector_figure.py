@@ -24,7 +24,7 @@ from reports.plan_map import draw_ground, ground_entries
 from reports.quantity import number, text
 from reports.style import BLUE, INK, ORANGE, PAPER, SKY, VERMILION, WIDTH, Look, new_figure, place, save, style
 from reports.ticks import ticks_from
-from sim.truck import STEERING_LIMIT, WHEELBASE
+from sim.truck_limits import STEERING_LIMIT, WHEELBASE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
