@@ -2,32 +2,65 @@
 
 from __future__ import annotations
 
+import struct
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path as FilePath
 
 import numpy as np
 from PIL import Image
 
+from planners.atomic_file import atomic
 from planners.errors import InputError
 from planners.kernel import Bools
 
 MIDDLE = 128  # of 0 to 255: lighter counts as white
+MOST_PIXELS = 25_000_000  # so that a small file cannot take all memory
+SQUARE = 1e-3  # relative: how far a picture's cells may be from square
+
+
+@contextmanager
+def opened(file: str | FilePath, place: str) -> Iterator[Image.Image]:
+    """The picture in `file`, its pixels yet to be read; to be read within this context.
+
+    `place` names what gave the file. Raises `InputError` for one that is missing, too large or no picture.
+    """
+    try:
+        with warnings.catch_warnings():  # Pillow's own limit lies above ours
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            picture = Image.open(file)
+        with picture:
+            if picture.width * picture.height > MOST_PIXELS:
+                what = f"{file} has {picture.width} x {picture.height} pixels"
+                raise InputError(place, what, f"make it smaller, at most {MOST_PIXELS} pixels in all")
+            yield picture
+    except FileNotFoundError:
+        raise InputError(place, f"there is no picture {file}", "check the path") from None
+    except (OSError, ValueError, SyntaxError, TypeError, struct.error, Image.DecompressionBombError) as error:
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise InputError(place, f"{file} cannot be read as a picture ({reason})", "give a PNG, JPEG or TIFF") from None
 
 
 def read_blocked(file: FilePath, white_is_obstacle: bool, place: str) -> Bools:
     """The obstacle cells (rows, cols) of a picture, one a pixel, row 0 in the south.
 
-    `place` names the key that gave the file. Raises `InputError` for a file that is missing or no picture,
+    `place` names the key that gave the file. Raises `InputError` for a file that is missing, too large or no picture,
     and for a picture without free cells.
     """
-    try:
-        with Image.open(file) as picture:
-            light = np.asarray(picture.convert("L")) >= MIDDLE
-    except FileNotFoundError:
-        raise InputError(place, f"there is no picture {file}", "put it beside the scenario file") from None
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        raise InputError(place, f"{file} cannot be read as a picture ({error})", "give a PNG") from None
+    with opened(file, place) as picture:
+        light = np.asarray(picture.convert("L")) >= MIDDLE
     blocked = light if white_is_obstacle else ~light
     if blocked.all():
         free = "black" if white_is_obstacle else "white"
         raise InputError(place, f"{file} is all obstacle", f"draw drivable ground in {free}")
     return blocked[::-1]
+
+
+def write_blocked(blocked: Bools, file: str | FilePath) -> None:
+    """Write the cells (rows, cols), row 0 in the south, as PNG that `read_blocked` reads: drivable ground white.
+
+    Raises `InputError` where the folder does not exist.
+    """
+    with atomic(file) as temporary:
+        Image.fromarray(~blocked[::-1]).save(temporary, format="PNG")

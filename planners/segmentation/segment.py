@@ -1,0 +1,105 @@
+"""From an aerial image to a map: which pixels are drivable (paper 004, sec. 2.2, step 1)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from skimage.filters import threshold_otsu
+from skimage.morphology import remove_small_holes, remove_small_objects
+
+from planners.errors import InputError
+from planners.kernel import Bools
+from planners.segmentation.aerial import Aerial
+from planners.segmentation.brightness import Singles, brightness, ground_brightness
+from planners.segmentation.clusters import colour_clusters
+from planners.segmentation.settings import Segmentation
+from planners.segmentation.shade import discoloured
+
+_WHITE = 255.0
+_BRIGHTEST = 1.2  # of the ground's brightness nearby: glare, which says nothing of where the ground ends
+_CONTRAST = 0.02  # of that brightness; less is no contrast
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Segmented:
+    """What was found: `blocked` (rows, cols), row 0 in the south, is obstacle.
+
+    `threshold` is the share of the ground's brightness that divides both; `separability` Otsu's measure of how well it
+    does, the variance between the two classes over that of all: 1 at best, 0.64 for normally distributed noise.
+    """
+
+    blocked: Bools
+    threshold: float
+    separability: float
+
+
+def segment(aerial: Aerial, cell: float, settings: Segmentation, place: str) -> Segmented:
+    """Tell drivable ground from obstacles in an image with pixels of `cell` [m].
+
+    A pixel's brightness over that of the ground nearby is divided by Otsu's threshold (Otsu 1979, IEEE Trans. SMC
+    9(1)), pixel by pixel or by the mean of clusters of colour. `place` names the image in errors. Raises `InputError`
+    where there is no contrast, and where nothing is drivable.
+    """
+    luma, seen = brightness(aerial.colours), ~aerial.unseen
+    if not luma[seen].any():
+        raise InputError(place, "it is black all over, so nothing in it is drivable", "give another image")
+    dark, width = settings.drivable == "dark", settings.shade / cell
+    ground = ground_brightness(luma, width, dark) if width else np.full_like(luma, _WHITE)
+    share = _share(luma, ground, dark, bool(width))
+    if np.ptp(share[seen]) < _CONTRAST:
+        raise InputError(place, "it has no contrast: all of it is of one brightness", "give another image")
+    otsu = settings.threshold is None
+    threshold = float(threshold_otsu(share[seen])) if settings.threshold is None else settings.threshold
+    blocked = share < threshold
+    separability = _separability(share[seen], blocked[seen])
+    if settings.method == "clusters":
+        clusters = colour_clusters(aerial.colours, ground, settings.clusters)
+        means = np.bincount(clusters.ravel(), share.ravel()) / np.bincount(clusters.ravel()).clip(1)
+        blocked = (means < threshold)[clusters]
+    if width:
+        blocked |= _wide_obstacles(aerial, luma, blocked, dark)
+    blocked = _tidied(blocked | aerial.unseen, cell, settings)
+    if blocked.all():
+        remedy = "another drivable, method or shade" if otsu else "a lower threshold"
+        raise InputError(place, "nothing in it is found to be drivable", f"try {remedy}")
+    return Segmented(blocked, threshold, separability)
+
+
+def _share(luma: Singles, ground: Singles, dark: bool, shaded: bool) -> Singles:
+    """How alike to the ground nearby the brightness is: about 1 on it, towards 0 on obstacles; all (rows, cols)."""
+    if dark and not shaded:
+        return 1.0 - luma / ground
+    ratio = ground / luma.clip(1.0) if dark else luma / ground
+    return np.minimum(ratio, np.float32(_BRIGHTEST))
+
+
+def _separability(share: Singles, low: Bools) -> float:
+    """Otsu's eta of the values (N,) divided into the `low` and the others."""
+    below = float(low.mean())
+    if below in (0.0, 1.0):
+        return 0.0
+    apart = float(share[low].mean(dtype=float) - share[~low].mean(dtype=float))
+    return below * (1.0 - below) * apart**2 / float(share.var(dtype=float))
+
+
+def _wide_obstacles(aerial: Aerial, luma: Singles, blocked: Bools, dark: bool) -> Bools:
+    """What is too wide to stand out from the ground nearby, but not from all of it, and has another colour."""
+    middle = threshold_otsu(luma[~aerial.unseen])
+    doubtful = ~blocked & ((luma > middle) if dark else (luma < middle))
+    return discoloured(aerial.colours, luma, doubtful, ~blocked & ~doubtful)
+
+
+def _tidied(blocked: Bools, cell: float, settings: Segmentation) -> Bools:
+    """Without specks and small holes."""
+    speck = math.ceil(settings.smallest_obstacle / cell**2) - 1  # the largest, in pixels
+    hole = math.floor(settings.largest_hole / cell**2)
+    cleared = remove_small_objects(blocked, max_size=max(speck, 0))
+    return np.asarray(remove_small_holes(cleared, max_size=hole), dtype=bool)
+
+
+def overlap(blocked: Bools, truth: Bools) -> float:
+    """Intersection over union (Jaccard index) of the obstacles of two masks (rows, cols); 1 where neither has any."""
+    union = int((blocked | truth).sum())
+    return int((blocked & truth).sum()) / union if union else 1.0
