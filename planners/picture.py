@@ -42,6 +42,25 @@ def opened(file: str | FilePath, place: str) -> Iterator[Image.Image]:
         raise InputError(place, f"{file} cannot be read as a picture ({reason})", "give a PNG, JPEG or TIFF") from None
 
 
+def pixels_of(file: str | FilePath, place: str) -> tuple[int, int]:
+    """Columns and rows of a picture; raises `InputError` as `opened` does."""
+    with opened(file, place) as picture:
+        return picture.width, picture.height
+
+
+def cell_of(pixels: tuple[int, int], size: tuple[float, float], place: str, file: str | FilePath) -> float:
+    """The side of a cell, in the unit of `size`, of a picture with that many columns and rows.
+
+    Raises `InputError` where it would not be square.
+    """
+    (columns, rows), (width, height) = pixels, size
+    cell = width / columns
+    if abs(height / rows / cell - 1.0) > SQUARE:
+        what = f"{width} x {height} over {columns} x {rows} pixels of {FilePath(file).name} is not square"
+        raise InputError(place, what, f"{width} wide it is {cell * rows:g} high")
+    return cell
+
+
 def read_blocked(file: FilePath, white_is_obstacle: bool, place: str) -> Bools:
     """The obstacle cells (rows, cols) of a picture, one a pixel, row 0 in the south.
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from planners.errors import InputError
 from planners.kernel import Bools
-from planners.picture import SQUARE, opened
+from planners.picture import opened
 from planners.segmentation.geotiff import scale_of
 
 Colours = NDArray[np.uint8]
@@ -40,12 +40,6 @@ def read_aerial(file: str | FilePath, place: str) -> Aerial:
     return Aerial(np.ascontiguousarray(values[..., :3]), values[..., 3] == 0)
 
 
-def pixels_of(file: str | FilePath, place: str) -> tuple[int, int]:
-    """Columns and rows of a picture; raises `InputError` as `read_aerial` does."""
-    with opened(file, place) as picture:
-        return picture.width, picture.height
-
-
 def geotiff_scale(file: str | FilePath, place: str, remedy: str) -> float:
     """How wide a pixel is [m], from the tags of a GeoTIFF.
 
@@ -56,16 +50,3 @@ def geotiff_scale(file: str | FilePath, place: str, remedy: str) -> float:
     if scale is None:
         raise InputError(place, f"nothing says how many metres a pixel of {file} is", remedy)
     return scale
-
-
-def cell_of(pixels: tuple[int, int], size: tuple[float, float], place: str, file: str | FilePath) -> float:
-    """The side of a cell, in the unit of `size`, of a picture with that many columns and rows.
-
-    Raises `InputError` where it would not be square.
-    """
-    (columns, rows), (width, height) = pixels, size
-    cell = width / columns
-    if abs(height / rows / cell - 1.0) > SQUARE:
-        what = f"{width:g} x {height:g} over {columns} x {rows} pixels of {FilePath(file).name} is not square"
-        raise InputError(place, what, f"{width:g} wide it is {cell * rows:g} high")
-    return cell

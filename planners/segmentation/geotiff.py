@@ -33,7 +33,9 @@ def scale_of(picture: Image.Image, place: str, remedy: str) -> float | None:
         raise InputError(place, f"its ModelPixelScaleTag says {width} x {height}", remedy)
     keys = _keys(tags.get(_KEYS, ()))
     if keys.get(_MODEL_TYPE, _PROJECTED) != _PROJECTED:
-        raise InputError(place, "its scale is in degrees", f"reproject it to metres, as with gdalwarp -t_srs; or {remedy}")
+        raise InputError(
+            place, "its scale is in degrees", f"reproject it to metres, as with gdalwarp -t_srs; or {remedy}"
+        )
     if abs(height / width - 1.0) > SQUARE:
         raise InputError(place, f"its pixels are {width} x {height}, not square", "resample it, as with gdalwarp -tr")
     code = keys.get(_PROJECTION, _USER_DEFINED)

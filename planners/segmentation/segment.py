@@ -72,7 +72,7 @@ def _share(luma: Singles, ground: Singles, dark: bool, shaded: bool) -> Singles:
     if dark and not shaded:
         return 1.0 - luma / ground
     ratio = ground / luma.clip(1.0) if dark else luma / ground
-    return np.minimum(ratio, np.float32(_BRIGHTEST))
+    return np.asarray(np.minimum(ratio, np.float32(_BRIGHTEST)))
 
 
 def _separability(share: Singles, low: Bools) -> float:
