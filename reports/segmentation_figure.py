@@ -22,7 +22,7 @@ from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import label_ground
 from reports.quantity import number, text
 from reports.segmentation_table import iou_words, size_words
-from reports.style import INK, MUTED, PAPER, SKY, VERMILION, WIDTH, new_figure, place, save, style
+from reports.style import INK, MUTED, OBSTACLE, PAPER, SKY, VERMILION, WIDTH, new_figure, place, save, style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,9 +46,7 @@ def save_segmentation_figure(
         save(segmentation_figure(aerial, blocked, facts, truth), file)
 
 
-def segmentation_figure(
-    aerial: Aerial, blocked: Bools, facts: SegmentationFacts, truth: Bools | None = None
-) -> Figure:
+def segmentation_figure(aerial: Aerial, blocked: Bools, facts: SegmentationFacts, truth: Bools | None = None) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     boxes = _boxes(facts.size[0] / facts.size[1])
     stacked = boxes[1].left == boxes[0].left
@@ -66,7 +64,7 @@ def segmentation_figure(
         label_ground(axes, boxes[i], view, east=not stacked or i == 2, north=stacked or i == 0)
     _show(panels[0], aerial.colours[::step, ::step], facts.cell * step)
     _draw_map(panels[1], blocked, truth, step, facts.cell)
-    _draw_clearance(figure, panels[2], boxes[2], raster)
+    _draw_clearance(figure, panels[2], boxes[2], boxes[2].width / (2 if stacked else 1), raster)
     _draw_key(figure, boxes[0] if stacked else boxes[1], boxes[-1].bottom, truth is not None)
     return figure
 
@@ -113,15 +111,15 @@ def _draw_map(axes: Axes, blocked: Bools, truth: Bools | None, step: int, cell: 
     _show(axes, shown, cell * step, cmap=colours, vmin=0, vmax=3, interpolation="nearest")
 
 
-def _draw_clearance(figure: Figure, axes: Axes, box: Box, raster: Raster) -> None:
-    """How far from the nearest obstacle each place is, with a colour bar under it."""
+def _draw_clearance(figure: Figure, axes: Axes, box: Box, width: float, raster: Raster) -> None:
+    """How far from the nearest obstacle each place is, with a colour bar of `width` [in] under it."""
     field = np.ma.masked_where(raster.blocked, clearance_field(raster))
-    axes.set_facecolor(INK)
+    axes.set_facecolor(OBSTACLE)
     if not np.isfinite(field).all():
-        axes.text(0.5, 0.5, "no obstacle", transform=axes.transAxes, ha="center", va="center", color=PAPER)
+        axes.text(0.5, 0.5, "no obstacle", transform=axes.transAxes, ha="center", va="center")
         return
     shown = _show(axes, field, raster.cell, cmap=mpl.colormaps["cividis"], vmin=0.0, interpolation="nearest")
-    bar = place(figure, box.left, box.bottom + _LABELS + 0.06, box.width, _BAR)
+    bar = place(figure, box.left + box.width - width, box.bottom + _LABELS + 0.06, width, _BAR)
     figure.colorbar(shown, cax=bar, orientation="horizontal")
     bar.grid(visible=False)
     bar.tick_params(length=2.0)
@@ -149,7 +147,8 @@ def _draw_key(figure: Figure, box: Box, bottom: float, known: bool) -> None:
     ]
     if known:
         entries += [Patch(facecolor=VERMILION, label="missed"), Patch(facecolor=SKY, label="false obstacle")]
+    top = 1.0 - (bottom + _LABELS + 0.04) / figure.get_size_inches()[1]
     figure.legend(
         handles=entries, loc="upper left", ncols=2, borderaxespad=0.0, columnspacing=1.2, handlelength=1.2,
-        handletextpad=0.5, bbox_to_anchor=(box.left / WIDTH, 1.0 - (bottom + _LABELS + 0.04) / figure.get_size_inches()[1]),
+        handletextpad=0.5, bbox_to_anchor=(box.left / WIDTH, top),
     )  # fmt: skip

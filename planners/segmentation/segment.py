@@ -85,10 +85,10 @@ def _separability(share: Singles, low: Bools) -> float:
 
 
 def _wide_obstacles(aerial: Aerial, luma: Singles, blocked: Bools, dark: bool) -> Bools:
-    """What is too wide to stand out from the ground nearby, but not from all of it, and has another colour."""
+    """What does not stand out from the brightness nearby, but from that of the image, and has another colour."""
     middle = threshold_otsu(luma[~aerial.unseen])
     doubtful = ~blocked & ((luma > middle) if dark else (luma < middle))
-    return discoloured(aerial.colours, luma, doubtful, ~blocked & ~doubtful)
+    return np.asarray(doubtful & discoloured(aerial.colours, luma, ~blocked & ~doubtful))
 
 
 def _tidied(blocked: Bools, cell: float, settings: Segmentation) -> Bools:

@@ -20,9 +20,10 @@ class Segmentation(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     `drivable` ground is "light" or "dark". `threshold` is what divides both, a share of the ground's brightness nearby
     (of dark ground: that brightness over the pixel's); None leaves it to Otsu's method.
 
-    A dark area wider than `shade` [m] is shade on the ground, and no obstacle, if it has the ground's colour; 0 knows
-    no shade. Obstacles smaller than `smallest_obstacle` [m^2] are taken for specks, holes in obstacles of at most
-    `largest_hole` [m^2] are filled.
+    An area darker than the ground (dark ground: brighter) and wider than `shade` [m] is the ground in another light,
+    and no obstacle, if it has the ground's colour; 0 knows one light only, and `threshold` is then a share of white.
+    Obstacles smaller than `smallest_obstacle` [m^2] are taken for specks, holes in obstacles of at most `largest_hole`
+    [m^2] are filled.
     """
 
     scale: Positive | None = None

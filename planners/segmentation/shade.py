@@ -1,30 +1,31 @@
-"""Shade on the ground, told from wide obstacles by its colour."""
+"""Shade on the ground, told from obstacles by its colour."""
 
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import label
+from scipy.ndimage import gaussian_filter
 
 from planners.kernel import Bools
 from planners.segmentation.aerial import Colours
 from planners.segmentation.brightness import Singles
 
-_ALIKE = 2.0  # standard deviations of the ground's own colour
+_ALIKE = 3.5  # standard deviations of the ground's own colour
 _GREY = 1e-3  # an image whose colour varies less has none
+_BLUR = 1.0  # pixels; noise is no colour
 
 
-def discoloured(colours: Colours, luma: Singles, doubtful: Bools, ground: Bools) -> Bools:
-    """Those of the connected areas of `doubtful` pixels that have not the colour of the `ground`; all (rows, cols).
+def discoloured(colours: Colours, luma: Singles, ground: Bools) -> Bools:
+    """Which pixels (rows, cols) have not the colour of those of `ground`.
 
-    Less light leaves the shares of red, green and blue in `luma` as they are. An area is of the ground's colour if the
-    mean of each lies within two standard deviations of it over the ground. A grey image tells nothing: none is.
+    Less light leaves the shares of red, green and blue in `luma` as they are: a pixel is of the ground's colour if each
+    lies within 3.5 standard deviations of its mean on the ground. A grey image cannot tell: none is.
     """
-    areas, count = label(doubtful)
-    sizes = np.bincount(areas.ravel(), minlength=count + 1).clip(1)
-    alike = np.full(count + 1, bool(ground.any()))
+    strange = np.full(ground.shape, not ground.any())
+    if strange.all():
+        return strange
+    light = gaussian_filter(luma, _BLUR).clip(1.0)
     for colour in np.moveaxis(colours, -1, 0):
-        share = colour / luma.clip(1.0)
-        mean, spread = share[ground].mean(), share[ground].std()
-        means = np.bincount(areas.ravel(), share.ravel(), count + 1) / sizes
-        alike &= (np.abs(means - mean) <= _ALIKE * spread) & (spread > _GREY)
-    return np.asarray(~alike[areas] & doubtful)
+        share = gaussian_filter(colour.astype(np.float32), _BLUR) / light
+        mean, spread = (float(of(share[ground], dtype=float)) for of in (np.mean, np.std))
+        strange |= np.abs(share - mean) > (_ALIKE * spread if spread > _GREY else -1.0)
+    return strange
