@@ -26,20 +26,22 @@ def opened(file: str | FilePath, place: str) -> Iterator[Image.Image]:
 
     `place` names what gave the file. Raises `InputError` for one that is missing, too large or no picture.
     """
+    it = "it" if place == str(file) else str(file)
     try:
         with warnings.catch_warnings():  # Pillow's own limit lies above ours
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             picture = Image.open(file)
         with picture:
             if picture.width * picture.height > MOST_PIXELS:
-                what = f"{file} has {picture.width} x {picture.height} pixels"
+                what = f"{it} has {picture.width} x {picture.height} pixels"
                 raise InputError(place, what, f"make it smaller, at most {MOST_PIXELS} pixels in all")
             yield picture
     except FileNotFoundError:
-        raise InputError(place, f"there is no picture {file}", "check the path") from None
+        what = "there is no such picture" if it == "it" else f"there is no picture {file}"
+        raise InputError(place, what, "check the path") from None
     except (OSError, ValueError, SyntaxError, TypeError, struct.error, Image.DecompressionBombError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InputError(place, f"{file} cannot be read as a picture ({reason})", "give a PNG, JPEG or TIFF") from None
+        raise InputError(place, f"{it} cannot be read as a picture ({reason})", "give a PNG, JPEG or TIFF") from None
 
 
 def pixels_of(file: str | FilePath, place: str) -> tuple[int, int]:

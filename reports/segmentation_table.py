@@ -33,9 +33,8 @@ def segmentation_json(facts: SegmentationFacts, mask: str, figure: str) -> str:
 
 
 def size_words(facts: SegmentationFacts) -> str:
-    """ "640 × 640 m": width and height of the image."""
-    width, height = facts.size
-    return f"{number(width, 4)} × {number(height, 4)} m"
+    """ "640 m × 1.2 km": width and height of the image."""
+    return " × ".join(text(side, "m", 4) for side in facts.size)
 
 
 def iou_words(facts: SegmentationFacts) -> str:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 _SETTINGS = ("method", "drivable", "threshold", "clusters", "shade", "smallest_obstacle", "largest_hole")
 _REMEDY = "give --scale or --size"
+_DOUBTFUL = 0.7  # separability; normally distributed noise has 2 / pi
 
 
 class _Source(NamedTuple):
@@ -74,6 +75,8 @@ def main(args: argparse.Namespace) -> int:
         print(segmentation_json(facts, mask, figure))
     else:
         print_segmentation(facts)
+    if facts.separability < _DOUBTFUL:
+        tell([f"{source.image}: two kinds of ground hardly stand apart, see separability; look at {figure}"])
     tell([f"saved {mask}", f"saved {figure}"])
     return 0
 
@@ -134,7 +137,7 @@ def _settings(args: argparse.Namespace, stated: Segmentation) -> Segmentation:
     from planners.typed_toml import convert
 
     given = {key: value for key in _SETTINGS if (value := getattr(args, key)) is not None}
-    return convert({**msgspec.to_builtins(stated), **given}, Segmentation, "segment")
+    return convert({**msgspec.to_builtins(stated), **given}, Segmentation, "options")
 
 
 def _size(text: str) -> tuple[float, float]:

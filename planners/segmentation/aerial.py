@@ -33,7 +33,7 @@ def read_aerial(file: str | FilePath, place: str) -> Aerial:
     """
     with opened(file, place) as picture:
         if picture.mode not in _EIGHT_BITS:
-            what = f"{file} is of Pillow's mode {picture.mode}, not of 8 bits a channel"
+            what = f"its pixels are of Pillow's mode {picture.mode}, not of 8 bits a channel"
             raise InputError(place, what, "convert it, as with gdal_translate -ot Byte -scale")
         seen = picture.convert("RGBA")
     values = np.asarray(seen)[::-1]
@@ -48,5 +48,5 @@ def geotiff_scale(file: str | FilePath, place: str, remedy: str) -> float:
     with opened(file, place) as picture:
         scale = scale_of(picture, place, remedy)
     if scale is None:
-        raise InputError(place, f"nothing says how many metres a pixel of {file} is", remedy)
+        raise InputError(place, "nothing says how many metres wide a pixel is", remedy)
     return scale

@@ -45,7 +45,8 @@ def segment(aerial: Aerial, cell: float, settings: Segmentation, place: str) -> 
     luma, seen = brightness(aerial.colours), ~aerial.unseen
     if not luma[seen].any():
         raise InputError(place, "it is black all over, so nothing in it is drivable", "give another image")
-    dark, width = settings.drivable == "dark", settings.shade / cell
+    dark = settings.drivable == "dark"
+    width = min(settings.shade / cell, 2.0 * max(luma.shape))  # wider ones see all of the image too
     ground = ground_brightness(luma, width, dark) if width else np.full_like(luma, _WHITE)
     share = _share(luma, ground, dark, bool(width))
     if np.ptp(share[seen]) < _CONTRAST:
@@ -93,10 +94,9 @@ def _wide_obstacles(aerial: Aerial, luma: Singles, blocked: Bools, dark: bool) -
 
 def _tidied(blocked: Bools, cell: float, settings: Segmentation) -> Bools:
     """Without specks and small holes."""
-    speck = math.ceil(settings.smallest_obstacle / cell**2) - 1  # the largest, in pixels
-    hole = math.floor(settings.largest_hole / cell**2)
-    cleared = remove_small_objects(blocked, max_size=max(speck, 0))
-    return np.asarray(remove_small_holes(cleared, max_size=hole), dtype=bool)
+    smallest, hole = (min(area / cell**2, blocked.size) for area in (settings.smallest_obstacle, settings.largest_hole))
+    cleared = remove_small_objects(blocked, max_size=max(math.ceil(smallest) - 1, 0))
+    return np.asarray(remove_small_holes(cleared, max_size=math.floor(hole)), dtype=bool)
 
 
 def overlap(blocked: Bools, truth: Bools) -> float:
