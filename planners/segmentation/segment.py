@@ -60,7 +60,8 @@ def segment(aerial: Aerial, cell: float, settings: Segmentation, place: str) -> 
         means = np.bincount(clusters.ravel(), share.ravel()) / np.bincount(clusters.ravel()).clip(1)
         blocked = (means < threshold)[clusters]
     if width:
-        blocked |= _wide_obstacles(aerial, luma, blocked, dark)
+        usual = float(np.median(ground[seen])) * (1.0 / threshold if dark else threshold)
+        blocked |= _wide_obstacles(aerial, luma, blocked, usual, dark)
     blocked = _tidied(blocked | aerial.unseen, cell, settings)
     if blocked.all():
         remedy = "another drivable, method or shade" if otsu else "a lower threshold"
@@ -85,10 +86,9 @@ def _separability(share: Singles, low: Bools) -> float:
     return below * (1.0 - below) * apart**2 / float(share.var(dtype=float))
 
 
-def _wide_obstacles(aerial: Aerial, luma: Singles, blocked: Bools, dark: bool) -> Bools:
-    """What does not stand out from the brightness nearby, but from that of the image, and has another colour."""
-    middle = threshold_otsu(luma[~aerial.unseen])
-    doubtful = ~blocked & ((luma > middle) if dark else (luma < middle))
+def _wide_obstacles(aerial: Aerial, luma: Singles, blocked: Bools, usual: float, dark: bool) -> Bools:
+    """What stands out from the `usual` divide of the image, not from the ground nearby, and has another colour."""
+    doubtful = ~blocked & ((luma > usual) if dark else (luma < usual))
     return np.asarray(doubtful & discoloured(aerial.colours, luma, ~blocked & ~doubtful))
 
 
