@@ -77,7 +77,7 @@ def test_a_geotiff_tells_its_size(load):
     ("text", "message"),
     [
         (WORDS, r"here.toml: image: nothing says how many metres wide a pixel is; add size = \[width, height\]"),
-        (SIZE + WORDS + "[segment]\nscale = 1.0", "here.toml: segment.scale: size is given too; leave size or scale out"),
+        (SIZE + WORDS + "[segment]\nscale = 1.0", "here.toml: segment.scale: size is given too"),
         (SIZE + WORDS.replace("image", "truth") + "[segment]", "segment: there is no image to segment; add image"),
         ("size = [20.0, 11.0]\n" + WORDS + "[segment]", "size: .* over 20 x 10 pixels of ground.png is not square"),
         (SIZE + WORDS + 'truth = "house.png"\n[segment]', "here.toml: truth: there is no picture .*house.png"),

@@ -58,9 +58,10 @@ def test_its_obstacles_by_clusters_of_colour(photo, truth, name):
 
 @pytest.mark.parametrize("method", ["otsu", "clusters"])
 @pytest.mark.parametrize("shade", [0.0, 75.0])
-def test_two_tones_are_told_apart_to_the_pixel(method, shade):
+@pytest.mark.parametrize("clusters", [2, 6])
+def test_two_tones_are_told_apart_to_the_pixel(method, shade, clusters):
     image = field((10, 30, 20, 50), (40, 55, 5, 20))
-    assert (found(image, method=method, shade=shade, clusters=2) == (image == ROOF)).all()
+    assert (found(image, method=method, shade=shade, clusters=clusters) == (image == ROOF)).all()
 
 
 @pytest.mark.parametrize("shade", [0.0, 75.0])
