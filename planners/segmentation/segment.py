@@ -59,10 +59,11 @@ def segment(aerial: Aerial, cell: float, settings: Segmentation, place: str) -> 
         clusters = colour_clusters(aerial.colours, ground, settings.clusters)
         means = np.bincount(clusters.ravel(), share.ravel()) / np.bincount(clusters.ravel()).clip(1)
         blocked = (means < threshold)[clusters]
+    blocked |= aerial.unseen
     if width:
         usual = float(np.median(ground[seen])) * (1.0 / threshold if dark else threshold)
         blocked |= _wide_obstacles(aerial, luma, blocked, usual, dark)
-    blocked = _tidied(blocked | aerial.unseen, cell, settings)
+    blocked = _tidied(blocked, cell, settings)
     if blocked.all():
         remedy = "another drivable, method or shade" if otsu else "a lower threshold"
         raise InputError(place, "nothing in it is found to be drivable", f"try {remedy}")
