@@ -20,7 +20,16 @@ from planners.errors import InputError
 from tracking.metric import SCHEMA_VERSION
 
 STORE_VERSION = 1  # of the folder's layout and its tables
-DECIDING = ("jsbsim", "highway-env", "numpy", "scipy", "numba", "shapely", "pyproj")  # packages that decide results
+DECIDING = (
+    "jsbsim",
+    "highway-env",
+    "numpy",
+    "scipy",
+    "numba",
+    "shapely",
+    "pyproj",
+    "scikit-image",
+)  # packages that decide results
 OWN = ("planners", "sim", "tracking", "campaigns")
 HOME = Path(__file__).parents[1]
 

@@ -85,7 +85,6 @@ def _source(args: argparse.Namespace) -> _Source:
     """What the arguments name; the options say more than a scenario does, and both more than a GeoTIFF."""
     from pathlib import Path
 
-    from planners.picture import cell_of, pixels_of
     from planners.scenario import BUILT_IN_SCENARIOS
     from planners.segmentation.aerial import geotiff_scale
     from planners.segmentation.settings import Segmentation
@@ -93,11 +92,7 @@ def _source(args: argparse.Namespace) -> _Source:
     if args.source in BUILT_IN_SCENARIOS or args.source.lower().endswith(".toml"):
         return _of_scenario(args)
     image = Path(args.source)
-    pixels = pixels_of(image, args.source)
-    if args.size is not None:
-        cell = cell_of(pixels, _size(args.size), "--size", image)
-    else:
-        cell = _scale(args.scale) or geotiff_scale(image, args.source, _REMEDY)
+    cell = _cell(args, image, args.source) or geotiff_scale(image, args.source, _REMEDY)
     truth = Path(args.truth) if args.truth else None
     return _Source(image, cell, _settings(args, Segmentation()), truth, (image,))
 
@@ -118,15 +113,26 @@ def _of_scenario(args: argparse.Namespace) -> _Source:
     keys = read_toml(file, ScenarioKeys)
     if keys.image is None:
         raise InputError(str(file), "it has no image to segment", 'add image = "FILE"')
-    image = file.parent / keys.image
-    pixels = pixels_of(image, f"{file}: image")
-    if args.size is not None:
-        cell = cell_of(pixels, _size(args.size), "--size", image)
-    else:
-        given = _scale(args.scale)
-        cell = given or cell_of(pixels, size_of(keys, file), f"{file}: size", image) * keys.unit
+    image, place = file.parent / keys.image, f"{file}: image"
+    cell = _cell(args, image, place)
+    if cell is None:
+        cell = cell_of(pixels_of(image, place), size_of(keys, file), f"{file}: size", image) * keys.unit
     truth = Path(args.truth) if args.truth else (file.parent / keys.truth if keys.truth else None)
     return _Source(image, cell, _settings(args, keys.segment or Segmentation()), truth, (file, image))
+
+
+def _cell(args: argparse.Namespace, image: Path, place: str) -> float | None:
+    """The side of a pixel [m] that the options tell, None where they do not."""
+    import math
+
+    from planners.errors import InputError
+    from planners.picture import cell_of, pixels_of
+
+    if args.size is not None:
+        return cell_of(pixels_of(image, place), _size(args.size), "--size", image)
+    if args.scale is not None and not 0.0 < args.scale < math.inf:
+        raise InputError("--scale", f"{args.scale} metres a pixel is not possible", "give more than 0")
+    return None if args.scale is None else float(args.scale)
 
 
 def _settings(args: argparse.Namespace, stated: Segmentation) -> Segmentation:
@@ -153,17 +159,6 @@ def _size(text: str) -> tuple[float, float]:
     if not (0.0 < width < math.inf and 0.0 < height < math.inf):
         raise InputError("--size", f"{text!r} is no width and height", "give metres, as 640x480")
     return width, height
-
-
-def _scale(scale: float | None) -> float | None:
-    """The scale [m], if one is given that can be."""
-    import math
-
-    from planners.errors import InputError
-
-    if scale is not None and not 0.0 < scale < math.inf:
-        raise InputError("--scale", f"{scale} metres a pixel is not possible", "give more than 0")
-    return scale
 
 
 def _outputs(args: argparse.Namespace, source: _Source) -> tuple[str, str]:

@@ -51,23 +51,25 @@ def segment(aerial: Aerial, cell: float, settings: Segmentation, place: str) -> 
     share = _share(luma, ground, dark, bool(width))
     if np.ptp(share[seen]) < _CONTRAST:
         raise InputError(place, "it has no contrast: all of it is of one brightness", "give another image")
-    otsu = settings.threshold is None
-    threshold = float(threshold_otsu(share[seen])) if settings.threshold is None else settings.threshold
-    blocked = share < threshold
-    separability = _separability(share[seen], blocked[seen])
-    if settings.method == "clusters":
-        clusters = colour_clusters(aerial.colours, ground, settings.clusters)
-        means = np.bincount(clusters.ravel(), share.ravel()) / np.bincount(clusters.ravel()).clip(1)
-        blocked = (means < threshold)[clusters]
-    blocked |= aerial.unseen
+    threshold = settings.threshold or float(threshold_otsu(share[seen]))
+    blocked = aerial.unseen | _unlike(aerial, ground, share, threshold, settings)
     if width:
         usual = float(np.median(ground[seen])) * (1.0 / threshold if dark else threshold)
         blocked |= _wide_obstacles(aerial, luma, blocked, usual, dark)
     blocked = _tidied(blocked, cell, settings)
     if blocked.all():
-        remedy = "another drivable, method or shade" if otsu else "a lower threshold"
+        remedy = "a lower threshold" if settings.threshold else "another drivable, method or shade"
         raise InputError(place, "nothing in it is found to be drivable", f"try {remedy}")
-    return Segmented(blocked, threshold, separability)
+    return Segmented(blocked, threshold, _separability(share[seen], share[seen] < threshold))
+
+
+def _unlike(aerial: Aerial, ground: Singles, share: Singles, threshold: float, settings: Segmentation) -> Bools:
+    """Which pixels (rows, cols) are less alike to the ground than the threshold says, one by one or by clusters."""
+    if settings.method == "otsu":
+        return np.asarray(share < threshold)
+    clusters = colour_clusters(aerial.colours, ground, settings.clusters)
+    means = np.bincount(clusters.ravel(), share.ravel()) / np.bincount(clusters.ravel()).clip(1)
+    return np.asarray((means < threshold)[clusters])
 
 
 def _share(luma: Singles, ground: Singles, dark: bool, shaded: bool) -> Singles:
