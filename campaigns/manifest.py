@@ -20,7 +20,8 @@ from planners.errors import InputError
 from tracking.metric import SCHEMA_VERSION
 
 STORE_VERSION = 1  # of the folder's layout and its tables
-DECIDING = ("jsbsim", "highway-env", "numpy", "scipy", "numba", "shapely", "pyproj")  # packages that decide results
+# Packages that decide results
+DECIDING = ("jsbsim", "highway-env", "numpy", "scipy", "numba", "shapely", "pyproj", "scikit-image")
 OWN = ("planners", "sim", "tracking", "campaigns")
 HOME = Path(__file__).parents[1]
 

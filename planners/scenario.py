@@ -16,6 +16,7 @@ from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
 from planners.movingai import Problem, is_movingai, read_problem
 from planners.scenario_keys import Point, ScenarioKeys, map_from_keys
+from planners.scenario_picture import raster_of, size_of
 from planners.typed_toml import read_toml, suggestion
 
 BUILT_IN_SCENARIOS = (
@@ -64,13 +65,14 @@ def load_scenario(name_or_file: str | FilePath) -> Scenario:
     """
     if is_movingai(str(name_or_file)):
         return _of_problem(read_problem(str(name_or_file)))
-    file = _find(name_or_file)
+    file = find_scenario(name_or_file)
     keys = read_toml(file, ScenarioKeys)
-    area = map_from_keys(keys, file)
-    starts = _places(keys, file, area, "start", keys.start, "vehicles", keys.vehicles)
-    goals = _places(keys, file, area, "goal", keys.goal, "targets", keys.targets)
+    size = size_of(keys, file)
+    area = map_from_keys(keys, size, raster_of(keys, size, file), file)
+    starts = _places(keys, size, file, area, "start", keys.start, "vehicles", keys.vehicles)
+    goals = _places(keys, size, file, area, "goal", keys.goal, "targets", keys.targets)
     pictures = [file.parent / name for name in (keys.image, keys.truth) if name is not None]
-    picture = pictures[0] if len(pictures) == 2 else None
+    picture = pictures[0] if len(pictures) == 2 and keys.segment is None else None
     if picture is not None and not picture.is_file():
         raise InputError(f"{file}: image", f"there is no picture {picture}", "put it beside the scenario file")
     return Scenario(
@@ -78,7 +80,7 @@ def load_scenario(name_or_file: str | FilePath) -> Scenario:
         map=area,
         starts=starts,
         goals=goals,
-        size=(keys.size[0] * keys.unit, keys.size[1] * keys.unit),
+        size=(size[0] * keys.unit, size[1] * keys.unit),
         unit=keys.unit,
         max_range=None if keys.max_range is None else keys.max_range * keys.unit,
         max_turn_angle=None if keys.max_turn_angle is None else math.radians(keys.max_turn_angle),
@@ -111,7 +113,8 @@ def _of_problem(problem: Problem) -> Scenario:
     )
 
 
-def _find(name_or_file: str | FilePath) -> FilePath:
+def find_scenario(name_or_file: str | FilePath) -> FilePath:
+    """The file of a built-in scenario, or the file itself; raises `InputError` for a name that is neither."""
     name = str(name_or_file)
     if name in BUILT_IN_SCENARIOS:
         return _FOLDER / f"{name}.toml"
@@ -122,7 +125,7 @@ def _find(name_or_file: str | FilePath) -> FilePath:
 
 
 def _places(
-    keys: ScenarioKeys, file: FilePath, area: Map,
+    keys: ScenarioKeys, size: Point, file: FilePath, area: Map,
     one: str, single: Point | None, many: str, several: list[Point] | None,
 ) -> Floats:  # fmt: skip
     """The places (N, 2) [m] given by one of two keys, each on free ground."""
@@ -135,9 +138,9 @@ def _places(
     clear = clearance(area, np.column_stack([points, np.zeros(len(points))]), Disc(0.0))
     for i, (place, room) in enumerate(zip(given, clear, strict=True)):
         key = one if single is not None else f"{many}[{i}]"
-        on_map = all(0.0 <= value <= side for value, side in zip(place, keys.size, strict=True))
+        on_map = all(0.0 <= value <= side for value, side in zip(place, size, strict=True))
         if not on_map:
-            raise InputError(f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(keys.size)}")
+            raise InputError(f"{file}: {key}", f"{list(place)} is off the map", f"keep it within {list(size)}")
         if room < 0.0:
             what = f"{list(place)} is {-room / keys.unit:.3g} map units deep in an obstacle or a forbidden area"
             raise InputError(f"{file}: {key}", what, "move it to free ground")

@@ -12,11 +12,10 @@ from planners.errors import InputError
 from planners.frame import ELLIPSOIDS, Frame
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster, checked_circle, checked_polygon
-from planners.picture import read_blocked
+from planners.segmentation.settings import Segmentation
 from planners.typed_toml import suggestion
 
 LARGEST = 1e9  # [map units, m] anything longer is a slip, infinity among it; no planet is that large
-SQUARE = 1e-3  # relative: how far a picture's cells may be from square
 
 Point = tuple[float, float]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=LARGEST)]
@@ -40,7 +39,7 @@ class ScenarioKeys(msgspec.Struct, forbid_unknown_fields=True):
     """A scenario file as it is written: lengths in map units, angles in degrees."""
 
     name: str
-    size: tuple[Length, Length]
+    size: tuple[Length, Length] | None = None
     unit: Length = 1.0
     planet: str = ""
     start: Point | None = None
@@ -53,15 +52,19 @@ class ScenarioKeys(msgspec.Struct, forbid_unknown_fields=True):
     keep_in: list[AreaKeys] = []
     image: str | None = None
     truth: str | None = None
+    segment: Segmentation | None = None
     edge: Literal["closed", "open"] = "closed"
     origin: tuple[float, float] | None = None
 
 
-def map_from_keys(keys: ScenarioKeys, file: FilePath) -> Map:
-    """The map in metres; raises `InputError` that names `file` and key for an area that is none."""
+def map_from_keys(keys: ScenarioKeys, size: Point, raster: Raster | None, file: FilePath) -> Map:
+    """The map in metres, of that `size` [map units] and with the `raster`.
+
+    Raises `InputError` that names `file` and key for an area that is none.
+    """
     polygons, circles = _areas(keys.obstacle, keys.unit, f"{file}: obstacle")
     keep_in, keep_in_circles = _areas(keys.keep_in, keys.unit, f"{file}: keep_in")
-    width, height = keys.size
+    width, height = size
     return Map(
         polygons=polygons,
         circles=circles,
@@ -69,7 +72,7 @@ def map_from_keys(keys: ScenarioKeys, file: FilePath) -> Map:
         keep_in_circles=keep_in_circles,
         bounds=(0.0, 0.0, width * keys.unit, height * keys.unit),
         edge=keys.edge,
-        raster=_raster(keys, file),
+        raster=raster,
         frame=_frame(keys, file),
     )
 
@@ -88,19 +91,6 @@ def _areas(areas: list[AreaKeys], unit: float, place: str) -> tuple[tuple[Floats
             (x, y), radius = area.circle.center, area.circle.radius
             circles.append(checked_circle(Circle(x * unit, y * unit, radius * unit), f"{here}.circle"))
     return tuple(polygons), tuple(circles)
-
-
-def _raster(keys: ScenarioKeys, file: FilePath) -> Raster | None:
-    name, key = (keys.truth, "truth") if keys.truth is not None else (keys.image, "image")
-    if name is None:
-        return None
-    blocked = read_blocked(file.parent / name, white_is_obstacle=key == "truth", place=f"{file}: {key}")
-    (rows, columns), (width, height) = blocked.shape, keys.size
-    cell = width / columns
-    if abs(height / rows / cell - 1.0) > SQUARE:
-        what = f"{width} x {height} over {columns} x {rows} pixels of {name} is not square"
-        raise InputError(f"{file}: size", what, f"{width} wide it is {cell * rows:g} high")
-    return Raster(blocked, cell * keys.unit)
 
 
 def _frame(keys: ScenarioKeys, file: FilePath) -> Frame | None:
