@@ -19,7 +19,7 @@ from planners.errors import InputError
 from planners.typed_toml import convert, read_toml, suggestion
 
 CAMPAIGNS_FOLDER = Path(__file__).parent
-BUILT_IN_CAMPAIGNS = ("quickstart", "paper-aco", "paper-mars", "paper-target-vehicle")
+BUILT_IN_CAMPAIGNS = ("papers", "quickstart", "paper-aco", "paper-mars", "paper-target-vehicle")
 
 KeepTracks = Literal["all", "failures", "worst", "none"]
 T = TypeVar("T", Case, ScaleSearch, SpeedSearch)
