@@ -121,7 +121,7 @@ def _scenarios() -> list[str]:
 def _campaigns() -> list[str]:
     from campaigns.campaign import BUILT_IN_CAMPAIGNS, load_campaign
 
-    return [f"{name:<14}{load_campaign(name).title}" for name in BUILT_IN_CAMPAIGNS]
+    return [f"{name:<22}{load_campaign(name).title}" for name in BUILT_IN_CAMPAIGNS]
 
 
 def _formats() -> list[str]:
