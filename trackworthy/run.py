@@ -23,7 +23,13 @@ def add_parser(commands: Any) -> None:
     )
     parser.set_defaults(main=main)
     add = parser.add_argument
-    add("campaign", nargs="?", default="papers", metavar="CAMPAIGN", help="a TOML file or a built-in name; papers without")
+    add(
+        "campaign",
+        nargs="?",
+        default="papers",
+        metavar="CAMPAIGN",
+        help="a TOML file or a built-in name; default papers",
+    )
     add("--case", action="append", default=[], metavar="NAME", help="run this case only; repeatable")
     add("--trial", type=int, metavar="N", help="replay just this trial of the one --case, and show it whole")
     add("-o", "--output", metavar="DIR", help="folder of the results (default: runs/ and the campaign's name)")

@@ -4,7 +4,8 @@ python -m pip install pyastar2d pathfinding
 python tests/benchmarks/grid_against_peers.py [RUNS]
 
 pyastar2d (C++) cuts corners and counts a diagonal as one side, pathfinding (Python) does as astar-eight does. Times are
-medians of the processor's: of the search alone, on cells made before, and of all from a scenario to its path.
+medians of the processor's: of the search alone, on cells made before, and of all from a scenario to its path; for
+astar-arc, all with its field of distances, heuristic and smooth path, on the same maps with their own starts and goals.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import math
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +35,7 @@ from planners.all_planners import make_planner, plan_with
 from planners.astar.grid import shortest_way
 from planners.astar.grid_kernels import DIAGONAL, SIDE
 from planners.kernel import Bools
-from planners.scenario import Scenario, load_scenario
+from planners.scenario import BUILT_IN_SCENARIOS, Scenario, load_scenario
 
 PLANNERS: dict[str, dict[str, Any]] = {  # names with settings; what is added here is timed and listed too
     "astar-four": {},
@@ -58,7 +60,8 @@ def scenarios() -> dict[str, Scenario]:
         raster = scenario.map.raster
         assert raster is not None
         ends = [(places[0] // raster.cell).astype(int)[::-1] for places in (scenario.starts, scenario.goals)]
-        found[name] = on_cells(raster.blocked, tuple(ends[0]), tuple(ends[1]), raster.cell)
+        on_grid = on_cells(raster.blocked, tuple(ends[0]), tuple(ends[1]), raster.cell)
+        found[name] = replace(on_grid, name=name)
     corridors = maze(np.random.default_rng(1), 255)
     found["maze of 511 x 511"] = on_cells(corridors, (1, 1), (509, 509))
     return found
@@ -76,6 +79,11 @@ def contenders(scenario: Scenario) -> dict[str, Callable[[], float]]:
     for label, settings in PLANNERS.items():
         planner = make_planner(label.split()[0], settings)
         ours[label] = lambda planner=planner: plan_with(planner, scenario, 0).paths[0].length / cell
+    if scenario.name in BUILT_IN_SCENARIOS:
+        whole = load_scenario(scenario.name)
+        for kmh in (30, 45, 60):
+            arc = make_planner("astar-arc", {"speed": f"{kmh}km/h"})
+            ours[f"astar-arc, {kmh} km/h"] = lambda arc=arc: plan_with(arc, whole, 0).paths[0].length / cell
     return {**ours, **_peers(blocked, start, goal)}
 
 
