@@ -26,7 +26,7 @@ def add_parser(commands: Any) -> None:
         action="append",
         default=[],
         metavar="KEY=VALUE",
-        help="a setting, from: trackworthy list planner-settings; the value as in TOML; repeatable",
+        help="a setting, from: trackworthy list planner-settings; the value as in TOML, or a word; repeatable",
     )
     add(
         "-o",
@@ -83,7 +83,8 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _settings(pairs: list[str]) -> dict[str, Any]:
-    """The settings given as `key=value`; of one that is given twice, the last."""
+    """The settings given as `key=value`; of one that is given twice, the last. A word needs no quotes."""
+    import re
     import tomllib
 
     from planners.errors import InputError
@@ -93,9 +94,10 @@ def _settings(pairs: list[str]) -> dict[str, Any]:
         try:
             one = tomllib.loads(pair)
         except tomllib.TOMLDecodeError:
-            one = {}
+            word = re.fullmatch(r"(\w+)=([\w.][\w./-]*)", pair)
+            one = {word[1]: word[2]} if word else {}
         if len(one) != 1 or "=" not in pair:
-            remedy = 'write it as in ants=50, taut=false or name="text"'
+            remedy = "write it as in ants=50, taut=false or speed=45km/h"
             raise InputError("--set", f"{pair!r} is not key=value, with the value as in TOML", remedy)
         settings |= one
     return settings

@@ -109,6 +109,11 @@ def test_without_a_path_it_says_why_and_exits_with_1(run, tmp_path, outcome):
     assert told["length_ratio"] is None
 
 
+def test_a_word_needs_no_quotes(run):
+    code, out, _ = run(*BENT, "--set", "outcome=lost")
+    assert (code, out.splitlines()[-1]) == (1, "lost: it is dark")
+
+
 BAD_INPUT = {
     "no such planner": (("plan", "field.toml", "--planner", "bend"), "did you mean 'bent'?"),
     "no planner": (("plan", "field.toml"), "--planner"),
@@ -116,7 +121,8 @@ BAD_INPUT = {
     "an unknown setting": ((*BENT, "--set", "ant=5"), "did you mean 'ants'?"),
     "a setting of a wrong kind": ((*BENT, "--set", "ants=2.5"), "ants"),
     "a setting without a value": ((*BENT, "--set", "ants"), "'ants' is not key=value"),
-    "a value that is not TOML": ((*BENT, "--set", "outcome=lost"), "'outcome=lost' is not key=value"),
+    "a value that is neither TOML nor a word": ((*BENT, "--set", "outcome=[lost"), "'outcome=[lost' is not key=value"),
+    "a word for a number": ((*BENT, "--set", "ants=lots"), "ants"),
     "two settings in one": ((*BENT, "--set", "ants=2\nheight=3"), "is not key=value"),
     "a table": ((*BENT, "--set", "[ants]"), "'[ants]' is not key=value"),
     "a negative seed": ((*BENT, "--seed", "-1"), "--seed"),
