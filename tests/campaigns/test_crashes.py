@@ -74,7 +74,7 @@ def test_they_are_recorded_and_the_others_run(tmp_path, seeds):
     assert errors[13] == "it took longer than 2 s"
 
     script.write_text(FAULTY.format(abort={0}, hang={0}, throw={0}))
-    ended, summary = run(tmp_path, script, file, "two")
+    ended, summary = run(tmp_path, script, file, "two", "-j", "1")
     assert ended.returncode == 0
     assert "20/20 trials" in ended.stderr
     assert summary["cases"][0]["trackworthy"] == 20
