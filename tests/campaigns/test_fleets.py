@@ -15,7 +15,7 @@ from planners import files
 from planners.errors import InputError
 from planners.frame import MARS_A, MARS_B, Frame
 from planners.path import Path
-from small_campaigns import run_here, write_campaign
+from small_campaigns import InThisProcess, run_here, write_campaign
 
 YARD = """
 name = "yard"
@@ -39,12 +39,19 @@ def yard(tmp_path):
     return tmp_path
 
 
+@pytest.fixture
+def here(monkeypatch):
+    """Plans in this process."""
+    monkeypatch.setattr("campaigns.execute.Machines.lanes", lambda machines, timeout: InThisProcess().lanes(timeout))
+
+
 def trial_of(folder, **settings):
     case = Case(**{"vehicle": "c172x", **settings})
     return assemble(case, Reader(folder).read(case))
 
 
 def test_every_start_has_its_path_and_the_vehicles_are_judged_together(yard):
+    """Planned in a worker process, as in every run of the program."""
     file = write_campaign(yard, PLANNED + 'require = ["separation_min>=30"]\n')
     finished = run_here(file, yard / "out")
     outcome = finished.outcomes["two"]
@@ -61,6 +68,7 @@ def test_every_start_has_its_path_and_the_vehicles_are_judged_together(yard):
     assert set(table["vehicle"].to_pylist()) == {1.0, 2.0}
 
 
+@pytest.mark.usefixtures("here")
 def test_the_folder_runs_again_to_the_same_bytes(yard):
     file = write_campaign(yard, PLANNED + "trials = 2\nconditions.position_noise = 0.05\nunit = 1.5\n")
     run_here(file, yard / "out")
@@ -69,12 +77,14 @@ def test_the_folder_runs_again_to_the_same_bytes(yard):
     assert first == again
 
 
+@pytest.mark.usefixtures("here")
 def test_members_have_noise_of_their_own(yard):
     file = write_campaign(yard, PLANNED + "conditions.position_noise = 0.05\n")
     one, two = run_here(file, yard / "out").outcomes["two"].fleet.members
     assert not np.array_equal(one.track["cross_track"][:50], two.track["cross_track"][:50])
 
 
+@pytest.mark.usefixtures("here")
 def test_a_unit_draws_the_map_to_another_scale(yard):
     file = write_campaign(yard, PLANNED + "unit = [1.0, 2.0]\n")
     finished = run_here(file, yard / "out")

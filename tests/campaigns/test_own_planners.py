@@ -73,6 +73,12 @@ def here(monkeypatch):
 
 
 @pytest.fixture
+def no_report(monkeypatch):
+    """Results without figures and PDF."""
+    monkeypatch.setattr("trackworthy.run._write", lambda *_: None)
+
+
+@pytest.fixture
 def campaign(tmp_path):
     """Writes a campaign of these cases; gives its file."""
     return lambda *cases: write_campaign(tmp_path, "".join(cases))
@@ -206,9 +212,12 @@ def test_more_trials_go_on_from_the_plans_there_are(tmp_path, campaign):
     assert (tmp_path / "out" / "summary.json").read_bytes() == (tmp_path / "whole" / "summary.json").read_bytes()
 
 
-def test_the_same_bytes_in_workers(tmp_path, campaign):
+@pytest.mark.usefixtures("no_report")
+def test_the_same_bytes_in_workers(tmp_path, campaign, monkeypatch):
     file = campaign(EXACT + "trials = 3\nreplan = true\nconditions.position_noise = 0.02\n")
-    run_here(file, tmp_path / "here")
+    with monkeypatch.context() as patch:
+        patch.setattr("campaigns.execute.Machines.lanes", lambda machines, timeout: InThisProcess().lanes(timeout))
+        run_here(file, tmp_path / "here")
     assert main(["run", str(file), "-o", "far", "-j", "2"]) == 0
     assert (tmp_path / "far" / "summary.json").read_bytes() == (tmp_path / "here" / "summary.json").read_bytes()
 
@@ -290,7 +299,7 @@ def test_a_trial_without_a_path_is_replayed_as_that(campaign, capfd):
     assert "NOT TRACKWORTHY  planned: no path to fly: all of them lost their way" in capfd.readouterr().out
 
 
-@pytest.mark.usefixtures("here")
+@pytest.mark.usefixtures("here", "no_report")
 @pytest.mark.parametrize(
     ("fail", "code", "told"),
     [("input", 2, "planner random: yard: its start is in an obstacle; move it"), ("crash", 3, "a fault of ours")],
@@ -304,13 +313,13 @@ def test_a_planner_that_fails_is_an_error_of_its_kind(tmp_path, campaign, fail, 
     assert told in capfd.readouterr().err
 
 
-@pytest.mark.usefixtures("here")
+@pytest.mark.usefixtures("here", "no_report")
 def test_one_case_one_trial_without_a_path(campaign, capfd):
     assert main(["run", str(campaign(PLANNED + "set.lose = 1\n"))]) == 1
     assert "FAIL  planned: not-trackworthy; found no path: all of them lost their way\n" in capfd.readouterr().out
 
 
-@pytest.mark.usefixtures("here")
+@pytest.mark.usefixtures("here", "no_report")
 def test_the_gate_takes_trials_without_a_path(tmp_path, campaign, capfd):
     file = str(campaign(EACH))
     assert main(["run", file, "-o", "good"]) == 0

@@ -22,7 +22,7 @@ SLOW = [*ROADMAPS, *TRUCKS]
 PRINTED = ("aco-basic-printed", "astar-arc-paper")  # as their papers print them, and may find nothing
 FINDING = [name for name in NAMES if name not in PRINTED]
 SMALL = {"turn_radius": 5.0 * UNIT, "ants": 20, "iterations": 4, "max_range": 1000.0, "pigeons": 40}
-SMALL |= {"cell": 0.1}  # coarse, for maps of kilometres
+COARSE = {"cell": 0.1}  # where a cell is a share of the vehicle; colonies keep their own cells, of 1 or 4
 SMALL |= {"compass_iterations": 20, "landmark_iterations": 5}
 
 
@@ -31,6 +31,8 @@ def small(name, **more):
     known = {field.name for field in msgspec.structs.fields(next(one for one in ALL_PLANNERS if one.name == name))}
     if "links" in known:
         more = {"clearance": 20.0} | more
+    if name not in COLONIES:
+        more = COARSE | more
     return make_planner(name, {key: value for key, value in (SMALL | more).items() if key in known})
 
 

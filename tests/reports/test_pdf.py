@@ -1,5 +1,6 @@
 import dataclasses
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -7,6 +8,7 @@ import pytest
 from planners.errors import InputError
 from reports.pdf import write_pdf
 from reports.pdf_case import case_data
+from reports.track_figure import save_track_figure
 from tracking.feasibility import Feasibility
 from tracking.verdict import Verdict
 
@@ -94,6 +96,10 @@ def test_a_page_a_case(route, yard, sharp_yard, tmp_path):
     assert pages(tmp_path / "a.pdf") == 5
 
 
-def test_many_cases(yard, tmp_path):
+def test_many_cases(yard, tmp_path, monkeypatch):
+    """All are drawn the same, so one drawing serves them all."""
+    save_track_figure(yard, tmp_path / "drawn.svg", page=True)
+    copied = lambda _, file, page: shutil.copyfile(tmp_path / "drawn.svg", file)  # noqa: E731
+    monkeypatch.setattr("reports.track_figure.save_track_figure", copied)
     write_pdf([yard] * 40, tmp_path / "a.pdf", "Forty cases")
     assert pages(tmp_path / "a.pdf") in (42, 43)

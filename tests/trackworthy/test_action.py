@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from small_campaigns import ROAD, write_campaign
+from small_campaigns import ROAD, run_here, write_campaign
+from trackworthy.__main__ import main
 
 yaml = pytest.importorskip("yaml")
 ACTION = Path(__file__).parents[2] / "action.yml"
@@ -36,13 +37,13 @@ def test_a_good_build_passes_and_a_worse_one_is_stopped(tmp_path):
     ended = run(campaign, tmp_path, **inputs)
     assert ended.returncode == 0, ended.stderr
     assert run(check, tmp_path, **inputs).returncode == 2
-    update = [sys.executable, "-m", "trackworthy", "check", "out dir", "--baseline", "baseline.json", "--update"]
-    assert subprocess.run(update, cwd=tmp_path, capture_output=True, check=False).returncode == 0
+    baseline = str(tmp_path / "baseline.json")
+    assert main(["check", str(tmp_path / "out dir"), "--baseline", baseline, "--update"]) == 0
     assert run(check, tmp_path, **inputs).returncode == 0
     assert "AS GOOD AS THE BASELINE" in (tmp_path / "summary.md").read_text()
 
     file.write_text(file.read_text().replace('vehicle = "truck"', 'vehicle = "truck"\ncontroller = "pure-pursuit"'))
-    assert run(campaign, tmp_path, **{**inputs, "output": "worse"}).returncode in (0, 1)
+    run_here(file, tmp_path / "worse")
     ended = run(check, tmp_path, **{**inputs, "output": "worse"})
     assert ended.returncode == 1
     assert ended.stdout.startswith("::error title=")

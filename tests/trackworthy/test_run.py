@@ -73,12 +73,14 @@ def test_quickstart_ships_with_the_program():
     assert (CAMPAIGNS_FOLDER / "quickstart" / "valley-survey.plan").is_file()
 
 
+@pytest.mark.usefixtures("here")
 def test_an_unexpected_verdict_is_exit_code_1(tmp_path, capfd):
     assert main(["run", campaign(tmp_path, CASE.replace("line", "corner") + 'speed = "60km/h"\n')]) == 1
     assert "FAIL" in capfd.readouterr().out
     assert (tmp_path / "runs" / "mine" / "report.pdf").is_file()
 
 
+@pytest.mark.usefixtures("here", "no_report")
 def test_a_case_that_cannot_be_tried_costs_itself_only(tmp_path, capfd):
     assert main(["run", campaign(tmp_path, CASE + "speed = [10, 400, 9]\n")]) == 2
     out = capfd.readouterr().out
@@ -125,6 +127,7 @@ def test_an_unknown_campaign_names_those_there_are(capfd):
     assert "quickstart" in capfd.readouterr().err
 
 
+@pytest.mark.usefixtures("here")
 def test_one_case_can_be_repeated_alone(tmp_path, capfd):
     name = campaign(tmp_path, CASE + "speed = [10, 12]\n")
     assert main(["run", name, "--case", "line 12"]) == 0
@@ -134,6 +137,7 @@ def test_one_case_can_be_repeated_alone(tmp_path, capfd):
     assert "no case 'line 13'; did you mean 'line 12'?" in capfd.readouterr().err
 
 
+@pytest.mark.usefixtures("here", "no_report")
 def test_notes_on_mission_files_are_told_once(capfd):
     assert main(["run", "--case", "valley survey"]) == 0
     assert capfd.readouterr().err.count("NAV_TAKEOFF") == 1
@@ -348,7 +352,7 @@ def test_expected_not_to_be_trackworthy_is_exit_code_0(tmp_path, share):
 def test_piped_progress_is_plain_lines_and_ends_with_all(tmp_path):
     (tmp_path / "line.csv").write_text("x,y\n0,0\n5,0\n10,0\n")
     short = BESIDE.replace("trials = 8", "trials = 100").replace("speed = 10", "speed = [9, 10]")
-    command = [sys.executable, "-m", "trackworthy", "run", campaign(tmp_path, short), "-o", "out"]
+    command = [sys.executable, "-m", "trackworthy", "run", campaign(tmp_path, short), "-o", "out", "-j", "1"]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=100, check=False)
     assert ended.returncode == 1
     lines = ended.stderr.splitlines()
