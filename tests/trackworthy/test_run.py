@@ -58,7 +58,7 @@ def campaign(tmp_path, text):
 
 
 def test_quickstart_is_as_expected_and_writes_its_report(tmp_path, capfd):
-    assert main(["run", "-o", "out"]) == 0
+    assert main(["run", "quickstart", "-o", "out"]) == 0
     out = capfd.readouterr().out
     assert "4 of 4 cases as expected" in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
@@ -67,6 +67,11 @@ def test_quickstart_is_as_expected_and_writes_its_report(tmp_path, capfd):
         case["trackworthy"] == 1 for case in json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]
     ]
     assert verdicts == [True, True, True, False]
+
+
+def test_without_a_name_it_runs_the_papers(capfd):
+    assert main(["run", "--dry-run"]) == 0
+    assert "truck, arcs target-vehicle-71m 60km/h" in capfd.readouterr().out
 
 
 def test_quickstart_ships_with_the_program():
