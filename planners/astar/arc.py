@@ -8,11 +8,12 @@ from typing import Annotated, ClassVar
 import msgspec
 import numpy as np
 
-from planners.astar.arc_kernels import FREE_HEADING, HEADINGS, search
+from planners.astar.arc_kernels import HEADINGS, TURNS, search
+from planners.astar.finish_kernels import FREE_HEADING
 from planners.astar.home_kernels import pooled, ways_home
 from planners.astar.linearised import Bounds
 from planners.astar.room import HALF_DIAGONAL, Body, Room, body_of, room_of
-from planners.astar.room_kernels import drawn
+from planners.astar.room_kernels import drawn, fits
 from planners.astar.smooth import smoothed
 from planners.astar.truck_settings import TruckSettings
 from planners.clearance import clearance
@@ -30,7 +31,8 @@ CELLS_ACROSS = 8.0  # the body
 HOME_CELLS = 256  # along the longer side, on which the way home is found
 POSE_CELLS = 640  # at most, along the longer side
 STEP_CELLS = 4.0  # cells of a pose along a step
-STATIONS = 4.0  # points of the smooth path along a step
+LEAVES = 1.5  # cells of a pose that a step is long at least: more than a diagonal
+STATIONS, NEAREST = 4.0, 0.25  # points of the smooth path along a step, and how near [m] to each other at most
 
 Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
 
@@ -38,7 +40,8 @@ Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
 class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A* over position and heading, whose steps are arcs that the vehicle can drive with its body.
 
-    A step lasts from one steering action to the next, and its curvature keeps to `lateral`, to the steering's limit and
+    A step lasts from one steering action to the next (or to that after it, and so on, where the wheels are too slow for
+    one of the turns meanwhile, or the map is large), and its curvature keeps to `lateral`, to the steering's limit and
     to its rate. `start_heading` and `goal_heading` [deg, counter-clockwise from east] are free where they are not
     given. The arcs are then drawn as a smooth path, which keeps to `smooth_lateral` [g] and `smooth_rate` [deg/s] of
     the wheels, so that a controller has something left; `margin` [m] is how far the body should stay from everything.
@@ -58,8 +61,8 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
 
     @property
     def clearance(self) -> float:
-        """Half of the body's width [m]."""
-        return self.width / 2.0
+        """The reference point's distance [m] to the nearest side of the body; 0 where it is not in it."""
+        return max(0.0, min(self.width / 2.0, self.overhang, self.length - self.overhang))
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
         """The same path for every seed.
@@ -79,7 +82,7 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         )  # fmt: skip
         stages: tuple[Stage, ...] = (Stage(ARCS, (arcs,)),)
         notes: tuple[str, ...] = ()
-        points = smoothed(found, self.step / STATIONS, room, body, bounds)
+        points = smoothed(found, max(self.step / STATIONS, NEAREST), room, body, bounds)
         if points is None or self._touches(points + room.origin, scenario):
             what = f"no path near the arcs keeps to {self.smooth_lateral:g} g and clear, so they are left as they are"
             path, notes = arcs, (what,)
@@ -102,15 +105,18 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
             if not math.isfinite(home[_cell(home, start, home_cell)]):
                 what = f"obstacles and edges leave no way {self.width:g} m wide from start to goal"
                 return Plan(outcome=NO_PATH, reason=what)
-        longest = float(room.size.max())
-        pose_cell = max(self.step / STEP_CELLS, longest / POSE_CELLS)
+        goal_heading, starts = _radians(self.goal_heading), _headed(start, self.start_heading)
+        for name, poses in (("start", starts), ("goal", _headed(goal, self.goal_heading))):
+            if not any(fits(room.field, room.cell, room.size, body.along, radius, *pose) for pose in poses):
+                what = f"the body, {self.margin:g} m clear of everything, fits at the {name} at no heading"
+                return Plan(outcome=NOT_FOUND, reason=what if len(poses) > 1 else what.replace("no", "the given"))
+        step, pose_cell = self._step(float(room.size.max()))
         cells = np.floor(room.size / pose_cell).astype(int) + 1
         seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
-        goal_heading = _radians(self.goal_heading)
         last, looked, nodes, parents = search(
             room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
-            home, home_cell, self._starts(start), goal, FREE_HEADING if goal_heading is None else goal_heading,
-            self.step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * self.step,
+            home, home_cell, starts, goal, FREE_HEADING if goal_heading is None else goal_heading,
+            step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * step,
             seen, pose_cell, self.most,
         )  # fmt: skip
         if last < 0:
@@ -138,11 +144,20 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         longest = max(scenario.size)
         return max(longest / MOST_CELLS, min(longest / FEW_CELLS, self.width / CELLS_ACROSS))
 
-    def _starts(self, start: Floats) -> Floats:
-        """The poses (S, 3) to start from: with all headings, or the one given."""
-        given = _radians(self.start_heading)
-        headings = np.arange(HEADINGS) * (2.0 * math.pi / HEADINGS) if given is None else np.array([given])
-        return np.column_stack([np.tile(start, (len(headings), 1)), headings])
+    def _step(self, longest: float) -> tuple[float, float]:
+        """The length [m] of an arc, and the cells' of poses, on a map as `longest` [m] as that.
+
+        A whole number of steps, so many that the curvature may change by one of the turns and an arc leaves its cell.
+        """
+        turns = self.curvature(self.lateral) / TURNS / (self.curvature_rate(self.steering_rate) * self.step)
+        step = self.step * math.ceil(max(turns, LEAVES * longest / POSE_CELLS / self.step))
+        return step, max(step / STEP_CELLS, longest / POSE_CELLS)
+
+
+def _headed(point: Floats, degrees: float | None) -> Floats:
+    """The poses (P, 3) at `point` (2,): with all headings, or the one given."""
+    headings = np.arange(HEADINGS) * (2.0 * math.pi / HEADINGS) if degrees is None else np.radians([degrees])
+    return np.column_stack([np.tile(point, (len(headings), 1)), headings])
 
 
 def _path(points: Floats, room: Room, scenario: Scenario) -> Path:
