@@ -30,7 +30,8 @@ def cell_of(x: float, y: float, heading: float, cell: float, columns: int) -> in
 
 @kernel
 def bound(
-    x: float, y: float, heading: float, goal: Floats, goal_heading: float, home: Floats, home_cell: float, radius: float
+    x: float, y: float, heading: float, goal: Floats, goal_heading: float, home: Floats, home_cell: float,
+    radius: float, finish_radius: float,
 ) -> float:  # fmt: skip
     """Lower bound [m] of the way from a pose to the `goal` (2,); inf where there is none.
 
@@ -45,7 +46,7 @@ def bound(
     if goal_heading == FREE_HEADING:
         turning = way_to_point(at_ahead, at_left, radius)
     else:
-        turning = way_to_pose(at_ahead, at_left, goal_heading - heading, radius)
+        turning = way_to_pose(at_ahead, at_left, goal_heading - heading, finish_radius)
     around = (home[row, column] - COARSE) * home_cell
     return around if around > turning else turning
 
@@ -129,7 +130,9 @@ def search(
                 continue
             if seen[cell_of(to_x, to_y, to, pose_cell, columns)] & (np.int64(1) << (k + TURNS)):
                 continue
-            least = bound(to_x, to_y, to, goal, goal_heading, home, home_cell, 1.0 / curvature)
+            least = bound(
+                to_x, to_y, to, goal, goal_heading, home, home_cell, 1.0 / curvature, 1.0 / min(curvature, change)
+            )  # fmt: skip
             if least == math.inf:
                 continue
             nodes[made, X], nodes[made, Y], nodes[made, HEADING] = to_x, to_y, to
