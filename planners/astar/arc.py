@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar
 import msgspec
 import numpy as np
 
-from planners.astar.arc_kernels import HEADINGS, TURNS, search
+from planners.astar.arc_kernels import HEADINGS, MOST, TURNS, search
 from planners.astar.finish_kernels import FREE_HEADING
 from planners.astar.home_kernels import pooled, ways_home
 from planners.astar.linearised import Bounds
@@ -31,6 +31,8 @@ CELLS_ACROSS = 8.0  # the body
 HOME_CELLS = 256  # along the longer side, on which the way home is found
 POSE_CELLS = 640  # at most, along the longer side
 STEP_CELLS = 4.0  # cells of a pose along a step
+SLACKS = 1.01, 1.02  # the search's, the first of which may look at that many poses
+QUICK = 20_000
 LEAVES = 1.5  # cells of a pose that a step is long at least: more than a diagonal
 STATIONS, NEAREST = 4.0, 0.25  # points of the smooth path along a step, and how near [m] to each other at most
 
@@ -108,20 +110,24 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         goal_heading, starts = _radians(self.goal_heading), _headed(start, self.start_heading)
         for name, poses in (("start", starts), ("goal", _headed(goal, self.goal_heading))):
             if not any(fits(room.field, room.cell, room.size, body.along, radius, *pose) for pose in poses):
-                what = f"the body, {self.margin:g} m clear of everything, fits at the {name} at no heading"
-                return Plan(outcome=NOT_FOUND, reason=what if len(poses) > 1 else what.replace("no", "the given"))
+                which = "any heading" if len(poses) > 1 else "the heading given"
+                what = f"the body, {self.margin:g} m clear of everything, does not fit at the {name} at {which}"
+                return Plan(outcome=NOT_FOUND, reason=what)
         step, pose_cell = self._step(float(room.size.max()))
         cells = np.floor(room.size / pose_cell).astype(int) + 1
-        seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
-        last, looked, nodes, parents = search(
-            room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
-            home, home_cell, starts, goal, FREE_HEADING if goal_heading is None else goal_heading,
-            step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * step,
-            seen, pose_cell, self.most,
-        )  # fmt: skip
+        for slack, most in zip(SLACKS, (min(QUICK, self.most), self.most), strict=True):
+            seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
+            last, looked, nodes, parents = search(
+                room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
+                home, home_cell, starts, goal, FREE_HEADING if goal_heading is None else goal_heading,
+                step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * step,
+                seen, pose_cell, slack, most,
+            )  # fmt: skip
+            if last != MOST:
+                break
         if last < 0:
             ended = (
-                f"none of {looked} poses leads on" if last == -1 else f"{self.most} poses were looked at, the `most`"
+                f"{self.most} poses were looked at, the `most`" if last == MOST else f"none of {looked} poses leads on"
             )
             what = (
                 f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {self.lateral:g} g was found: {ended}"

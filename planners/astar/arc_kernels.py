@@ -16,7 +16,7 @@ from planners.kernel import Bytes, Floats, Ints, kernel
 TURNS = 3  # to either side: arcs of 1, 2 and 3 thirds of the largest curvature
 HEADINGS = 72  # that are told apart, 5 deg each
 BITS = 2 * TURNS + 1  # of a byte: the arcs on which a pose was reached
-SLACK = 1.02  # of the way home: at most as much longer than the shortest is what is found
+NONE, MOST = -1, -2  # in place of a node
 COARSE = 2.0  # [cells] by which the way home may be too long
 X, Y, HEADING, WAY, CURVATURE = range(5)  # columns of a node
 
@@ -55,16 +55,17 @@ def bound(
 def search(
     field: Floats, cell: float, size: Floats, along: Floats, radius: float, middle: float, around: float,
     home: Floats, home_cell: float, starts: Floats, goal: Floats, goal_heading: float,
-    step: float, curvature: float, change: float, seen: Bytes, pose_cell: float, most: int,
+    step: float, curvature: float, change: float, seen: Bytes, pose_cell: float, slack: float, most: int,
 ) -> tuple[int, int, Floats, Ints]:  # fmt: skip
     """A* from the poses `starts` (S, 3) to the `goal` (2,) by arcs of `step` [m] up to `curvature` [1/m].
 
     From one arc to the next the curvature changes by at most `change` [1/m]. The last arcs end on the goal, with
     `goal_heading` where that is given. `seen` (cells,) has a bit for each pose's arcs, all 0. An arc is looked at when
-    its turn comes (lazy collision checks), for most never have it.
+    its turn comes (lazy collision checks), for most never have it. What is found is at most `slack` times as long as
+    the shortest of such ways, but for what the cells of `seen` leave out.
 
-    Returns the last node, or -1 where there is none and -2 after `most` poses; how many poses were looked at; all
-    nodes (N, 5) and their parents (N,).
+    Returns the last node, or `NONE` where there is none and `MOST` after `most` poses; how many poses were looked at;
+    all nodes (N, 5) and their parents (N,).
     """
     columns = int(size[0] / pose_cell) + 1
     room = 1 << 14
@@ -98,7 +99,7 @@ def search(
             seen[here] |= bit
         looked += 1
         if looked > most:
-            return -2, looked, nodes[:made], parents[:made]
+            return MOST, looked, nodes[:made], parents[:made]
         if made + BITS + len(arcs) > room:
             room *= 2
             more_nodes, more_parents = np.empty((room, 5)), np.empty(room, dtype=np.int64)
@@ -137,6 +138,6 @@ def search(
                 continue
             nodes[made, X], nodes[made, Y], nodes[made, HEADING] = to_x, to_y, to
             nodes[made, WAY], nodes[made, CURVATURE], parents[made] = way + step, arc, item
-            count = push(costs, items, count, way + step + SLACK * least, made)
+            count = push(costs, items, count, way + step + slack * least, made)
             made += 1
-    return -1, looked, nodes[:made], parents[:made]
+    return NONE, looked, nodes[:made], parents[:made]
