@@ -16,13 +16,19 @@ ROUNDING = 1e-9  # [rad] less than a whole turn by that is none
 
 
 @kernel
+def from_0(angle: float) -> float:
+    """The angle from 0 to a whole turn; 0 where rounding has left it just below."""
+    return max((angle + ROUNDING) % FULL_TURN - ROUNDING, 0.0)
+
+
+@kernel
 def word(kind: int, alpha: float, beta: float, d: float) -> tuple[float, float, float]:
     """Lengths of the three pieces of a word that begins to the left; the middle one is inf where it does not lead."""
     sa, ca, sb, cb = math.sin(alpha), math.cos(alpha), math.sin(beta), math.cos(beta)
     if kind == LSL:
         across, along = cb - ca, d + sa - sb
         to = math.atan2(across, along)
-        return _turn(to - alpha), math.hypot(across, along), _turn(beta - to)
+        return from_0(to - alpha), math.hypot(across, along), from_0(beta - to)
     if kind == LSR:
         across, along = -ca - cb, d + sa + sb
         square = across * across + along * along - 4.0
@@ -30,14 +36,14 @@ def word(kind: int, alpha: float, beta: float, d: float) -> tuple[float, float, 
             return 0.0, math.inf, 0.0
         straight = math.sqrt(square)
         to = math.atan2(across, along) + math.atan2(2.0, straight)
-        return _turn(to - alpha), straight, _turn(to - beta)
+        return from_0(to - alpha), straight, from_0(to - beta)
     across, along = cb - ca, d + sa - sb
     apart = math.hypot(across, along)
     if apart > 4.0:
         return 0.0, math.inf, 0.0
     middle = FULL_TURN - 2.0 * math.asin(0.25 * apart)
-    first = _turn(math.atan2(across, along) - alpha + 0.5 * middle)
-    return first, middle, _turn(beta - alpha - first + middle)
+    first = from_0(math.atan2(across, along) - alpha + 0.5 * middle)
+    return first, middle, from_0(beta - alpha - first + middle)
 
 
 @kernel
@@ -53,9 +59,3 @@ def way_to_pose(ahead: float, left: float, turn: float, radius: float) -> float:
             first, middle, last = word(kind, -side * bearing, side * (turn - bearing), d)
             best = min(best, first + middle + last)
     return radius * best
-
-
-@kernel
-def _turn(angle: float) -> float:
-    """The angle from 0 to a whole turn."""
-    return max((angle + ROUNDING) % FULL_TURN - ROUNDING, 0.0)
