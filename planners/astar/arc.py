@@ -25,7 +25,7 @@ from planners.planner import NO_PATH, NOT_FOUND, Plan, Stage, only_pair
 from planners.scenario import Scenario
 
 ARCS, SMOOTH = "arcs", "smooth"
-DRAWN = 0.5  # [m] between the points of an arc
+DRAWN = 0.5  # [m] between the points of an arc, and the poses at which the body is looked at
 FEW_CELLS, MOST_CELLS = 512, 2048  # of distances, along the longer side of a map that is no picture
 CELLS_ACROSS = 8.0  # the body
 HOME_CELLS = 256  # along the longer side, on which the way home is found
@@ -78,6 +78,9 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         if isinstance(found, Plan):
             return found
         arcs = _path(found, room, scenario)
+        if self._touches(arcs.xy, scenario):
+            what = f"on the arcs found the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
+            return Plan(outcome=NOT_FOUND, reason=what)
         bounds = Bounds(
             self.curvature(self.smooth_lateral), self.curvature_rate(self.smooth_rate), self.margin,
             _radians(self.start_heading), _radians(self.goal_heading),
@@ -136,10 +139,13 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         return _drawn(last, nodes, parents)
 
     def _touches(self, points: Floats, scenario: Scenario) -> bool:
-        """Whether the body touches anything at one of `points` (N, 2) [m]."""
+        """Whether the body touches anything along `points` (N, 2) [m], by its exact rectangle."""
+        s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
         east, north = np.gradient(points, axis=0).T
+        at = np.linspace(0.0, s[-1], math.ceil(s[-1] / DRAWN) + 1)
+        poses = [np.interp(at, s, values) for values in (*points.T, np.unwrap(np.arctan2(north, east)))]
         body = Rectangle(self.length, self.width, self.length / 2.0 - self.overhang)
-        return bool(clearance(scenario.map, np.column_stack([points, np.arctan2(north, east)]), body).min() < 0.0)
+        return bool(clearance(scenario.map, np.column_stack(poses), body).min() < 0.0)
 
     def _cell(self, scenario: Scenario) -> float:
         """The side [m] of the cells: that of the map's picture, else as fine as the body asks for and time allows."""
