@@ -139,10 +139,10 @@ def test_a_start_that_points_away_makes_half_a_turn():
 @pytest.mark.parametrize("kmh", [3.0, 8.0])
 def test_at_walking_speed_it_turns_too(kmh):
     """There the wheels take longer than a step for a third of their angle."""
-    yard = scenario(polygons=[box(60.0, 0.0, 3.0, 45.0)], start=(50.0, 20.0), goal=(75.0, 20.0), unit=1.0)
-    plan = planned(yard, kmh)
+    found = scenario(polygons=[box(60.0, 0.0, 3.0, 45.0)], start=(50.0, 20.0), goal=(75.0, 20.0), unit=1.0)
+    plan = planned(found, kmh)
     assert 2.0 * math.hypot(10.0, 25.0) < plan.paths[0].length < 80.0
-    assert clearance(yard.map, dense(plan.paths[0]), TRUCK).min() >= 0.0
+    assert clearance(found.map, dense(plan.paths[0]), TRUCK).min() >= 0.0
 
 
 def corridor(width):
@@ -289,22 +289,18 @@ def test_a_mirrored_map_has_the_mirrored_path_but_for_the_order_of_equals():
     assert other.length == pytest.approx(one.length, rel=2e-3)
 
 
-# Of the contract tests' maps, 120 by 80 map units of 2.5 m: a truck's yard of 300 by 200 m
-yards = scenarios.map(
-    lambda found: scenario(
-        polygons=[ring / found.unit for ring in found.map.polygons],
-        circles=[
-            (circle.x / found.unit, circle.y / found.unit, circle.radius / found.unit) for circle in found.map.circles
-        ],
-        start=found.starts[0] / found.unit,
-        goal=found.goals[0] / found.unit,
-        unit=2.5,
-    )  # fmt: skip
-)
+def yard(found):
+    """One of the contract tests' maps, with 2.5 m a map unit: 300 by 200 m."""
+    rings = [ring / found.unit for ring in found.map.polygons]
+    circles = [
+        (circle.x / found.unit, circle.y / found.unit, circle.radius / found.unit) for circle in found.map.circles
+    ]
+    ends = {"start": found.starts[0] / found.unit, "goal": found.goals[0] / found.unit}
+    return scenario(polygons=rings, circles=circles, **ends, unit=2.5)
 
 
 @settings(max_examples=25)
-@given(found=yards, kmh=st.sampled_from(SPEEDS))
+@given(found=scenarios.map(yard), kmh=st.sampled_from(SPEEDS))
 def test_on_any_yard_the_body_is_clear_and_the_curvature_bounded(found, kmh):
     try:
         plan = planned(found, kmh, most=20_000)

@@ -104,10 +104,13 @@ def test_along_an_arc_one_stays_on_its_circle(start, radius, angle, side):
 
 
 def test_a_drawn_circle_lies_on_it_at_equal_distances():
-    nodes = np.array([[0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 8.0, math.pi, 4.0 * math.pi, 0.25], [-3.0, 8.0, math.pi, 4.0 * math.pi + 3.0, 0.0]])  # fmt: skip
+    half = 4.0 * math.pi
+    nodes = np.array(
+        [[0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 8.0, math.pi, half, 0.25], [-3.0, 8.0, math.pi, half + 3.0, 0.0]]
+    )
     points = drawn(nodes, 0.5)
-    assert len(points) == 1 + math.ceil(4.0 * math.pi / 0.5) + 6
-    on_arc = points[: 1 + math.ceil(4.0 * math.pi / 0.5)]
+    assert len(points) == 1 + math.ceil(half / 0.5) + 6
+    on_arc = points[: 1 + math.ceil(half / 0.5)]
     assert np.hypot(on_arc[:, 0], on_arc[:, 1] - 4.0) == pytest.approx(4.0)
     legs = np.hypot(*np.diff(on_arc, axis=0).T)
     assert legs == pytest.approx(legs[0])
