@@ -46,8 +46,8 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
     one of the turns meanwhile, or the map is large), and its curvature keeps to `lateral`, to the steering's limit and
     to its rate. `start_heading` and `goal_heading` [deg, counter-clockwise from east] are free where they are not
     given. The arcs are then drawn as a smooth path, which keeps to `smooth_lateral` [g] and `smooth_rate` [deg/s] of
-    the wheels, so that a controller has something left; `margin` [m] is how far the body should stay from everything.
-    `cell` [map units] is that of the grid of distances, and `most` poses are looked at.
+    the wheels, so that a controller has something left. The arcs keep the body `margin` [m] from everything, and the
+    smooth path does where it can. `cell` [map units] is that of the grid of distances, and `most` poses are looked at.
     """
 
     name: ClassVar[str] = "astar-arc"
@@ -108,7 +108,7 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
             # A proof asks of the field no more than that it may err by, once more
             home, home_cell = _ways_home(room, self.clearance - 2.0 * HALF_DIAGONAL * room.cell, goal)
             if not math.isfinite(home[_cell(home, start, home_cell)]):
-                what = f"obstacles and edges leave no way {self.width:g} m wide from start to goal"
+                what = f"obstacles and edges leave no way {2.0 * self.clearance:g} m wide from start to goal"
                 return Plan(outcome=NO_PATH, reason=what)
         goal_heading, starts = _radians(self.goal_heading), _headed(start, self.start_heading)
         for name, poses in (("start", starts), ("goal", _headed(goal, self.goal_heading))):

@@ -35,8 +35,9 @@ def bound(
 ) -> float:  # fmt: skip
     """Lower bound [m] of the way from a pose to the `goal` (2,); inf where there is none.
 
-    The greater of that around the obstacles, less what its cells may add to it, and that of turns
-    of `radius` [m].
+    The greater of that around the obstacles, less what its cells may add to it, and that of turns of `radius` [m]; with
+    a heading at the goal of `finish_radius`, of which the last arcs are. That is no bound where an earlier turn is
+    tighter, but without it the search would look at all poses about the goal.
     """
     rows, columns = home.shape
     row, column = min(int(y / home_cell), rows - 1), min(int(x / home_cell), columns - 1)
