@@ -8,11 +8,12 @@ from typing import Annotated, ClassVar
 import msgspec
 import numpy as np
 
-from planners.astar.arc_kernels import FREE_HEADING, HEADINGS, search
+from planners.astar.arc_kernels import HEADINGS, MOST, TURNS, search
+from planners.astar.finish_kernels import FREE_HEADING
 from planners.astar.home_kernels import pooled, ways_home
 from planners.astar.linearised import Bounds
 from planners.astar.room import HALF_DIAGONAL, Body, Room, body_of, room_of
-from planners.astar.room_kernels import drawn
+from planners.astar.room_kernels import drawn, fits
 from planners.astar.smooth import smoothed
 from planners.astar.truck_settings import TruckSettings
 from planners.clearance import clearance
@@ -24,13 +25,16 @@ from planners.planner import NO_PATH, NOT_FOUND, Plan, Stage, only_pair
 from planners.scenario import Scenario
 
 ARCS, SMOOTH = "arcs", "smooth"
-DRAWN = 0.5  # [m] between the points of an arc
+DRAWN = 0.5  # [m] between the points of an arc, and the poses at which the body is looked at
 FEW_CELLS, MOST_CELLS = 512, 2048  # of distances, along the longer side of a map that is no picture
 CELLS_ACROSS = 8.0  # the body
 HOME_CELLS = 256  # along the longer side, on which the way home is found
 POSE_CELLS = 640  # at most, along the longer side
 STEP_CELLS = 4.0  # cells of a pose along a step
-STATIONS = 4.0  # points of the smooth path along a step
+SLACKS = 1.01, 1.02  # the search's, the first of which may look at that many poses
+QUICK = 20_000
+LEAVES = 1.5  # cells of a pose that a step is long at least: more than a diagonal
+STATIONS, NEAREST = 4.0, 0.25  # points of the smooth path along a step, and how near [m] to each other at most
 
 Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
 
@@ -38,11 +42,12 @@ Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
 class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A* over position and heading, whose steps are arcs that the vehicle can drive with its body.
 
-    A step lasts from one steering action to the next, and its curvature keeps to `lateral`, to the steering's limit and
+    A step lasts from one steering action to the next (or to that after it, and so on, where the wheels are too slow for
+    one of the turns meanwhile, or the map is large), and its curvature keeps to `lateral`, to the steering's limit and
     to its rate. `start_heading` and `goal_heading` [deg, counter-clockwise from east] are free where they are not
     given. The arcs are then drawn as a smooth path, which keeps to `smooth_lateral` [g] and `smooth_rate` [deg/s] of
-    the wheels, so that a controller has something left; `margin` [m] is how far the body should stay from everything.
-    `cell` [map units] is that of the grid of distances, and `most` poses are looked at.
+    the wheels, so that a controller has something left. The arcs keep the body `margin` [m] from everything, and the
+    smooth path does where it can. `cell` [map units] is that of the grid of distances, and `most` poses are looked at.
     """
 
     name: ClassVar[str] = "astar-arc"
@@ -58,8 +63,8 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
 
     @property
     def clearance(self) -> float:
-        """Half of the body's width [m]."""
-        return self.width / 2.0
+        """The reference point's distance [m] to the nearest side of the body; 0 where it is not in it."""
+        return max(0.0, min(self.width / 2.0, self.overhang, self.length - self.overhang))
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
         """The same path for every seed.
@@ -73,13 +78,16 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         if isinstance(found, Plan):
             return found
         arcs = _path(found, room, scenario)
+        if self._touches(arcs.xy, scenario):
+            what = f"on the arcs found the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
+            return Plan(outcome=NOT_FOUND, reason=what)
         bounds = Bounds(
             self.curvature(self.smooth_lateral), self.curvature_rate(self.smooth_rate), self.margin,
             _radians(self.start_heading), _radians(self.goal_heading),
         )  # fmt: skip
         stages: tuple[Stage, ...] = (Stage(ARCS, (arcs,)),)
         notes: tuple[str, ...] = ()
-        points = smoothed(found, self.step / STATIONS, room, body, bounds)
+        points = smoothed(found, max(self.step / STATIONS, NEAREST), room, body, bounds)
         if points is None or self._touches(points + room.origin, scenario):
             what = f"no path near the arcs keeps to {self.smooth_lateral:g} g and clear, so they are left as they are"
             path, notes = arcs, (what,)
@@ -100,22 +108,29 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
             # A proof asks of the field no more than that it may err by, once more
             home, home_cell = _ways_home(room, self.clearance - 2.0 * HALF_DIAGONAL * room.cell, goal)
             if not math.isfinite(home[_cell(home, start, home_cell)]):
-                what = f"obstacles and edges leave no way {self.width:g} m wide from start to goal"
+                what = f"obstacles and edges leave no way {2.0 * self.clearance:g} m wide from start to goal"
                 return Plan(outcome=NO_PATH, reason=what)
-        longest = float(room.size.max())
-        pose_cell = max(self.step / STEP_CELLS, longest / POSE_CELLS)
+        goal_heading, starts = _radians(self.goal_heading), _headed(start, self.start_heading)
+        for name, poses in (("start", starts), ("goal", _headed(goal, self.goal_heading))):
+            if not any(fits(room.field, room.cell, room.size, body.along, radius, *pose) for pose in poses):
+                which = "any heading" if len(poses) > 1 else "the heading given"
+                what = f"the body, {self.margin:g} m clear of everything, does not fit at the {name} at {which}"
+                return Plan(outcome=NOT_FOUND, reason=what)
+        step, pose_cell = self._step(float(room.size.max()))
         cells = np.floor(room.size / pose_cell).astype(int) + 1
-        seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
-        goal_heading = _radians(self.goal_heading)
-        last, looked, nodes, parents = search(
-            room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
-            home, home_cell, self._starts(start), goal, FREE_HEADING if goal_heading is None else goal_heading,
-            self.step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * self.step,
-            seen, pose_cell, self.most,
-        )  # fmt: skip
+        for slack, most in zip(SLACKS, (min(QUICK, self.most), self.most), strict=True):
+            seen = np.zeros(int(cells.prod()) * HEADINGS, dtype=np.uint8)
+            last, looked, nodes, parents = search(
+                room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
+                home, home_cell, starts, goal, FREE_HEADING if goal_heading is None else goal_heading,
+                step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * step,
+                seen, pose_cell, slack, most,
+            )  # fmt: skip
+            if last != MOST:
+                break
         if last < 0:
             ended = (
-                f"none of {looked} poses leads on" if last == -1 else f"{self.most} poses were looked at, the `most`"
+                f"{self.most} poses were looked at, the `most`" if last == MOST else f"none of {looked} poses leads on"
             )
             what = (
                 f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {self.lateral:g} g was found: {ended}"
@@ -124,10 +139,13 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         return _drawn(last, nodes, parents)
 
     def _touches(self, points: Floats, scenario: Scenario) -> bool:
-        """Whether the body touches anything at one of `points` (N, 2) [m]."""
+        """Whether the body touches anything along `points` (N, 2) [m], by its exact rectangle."""
+        s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
         east, north = np.gradient(points, axis=0).T
+        at = np.linspace(0.0, s[-1], math.ceil(s[-1] / DRAWN) + 1)
+        poses = [np.interp(at, s, values) for values in (*points.T, np.unwrap(np.arctan2(north, east)))]
         body = Rectangle(self.length, self.width, self.length / 2.0 - self.overhang)
-        return bool(clearance(scenario.map, np.column_stack([points, np.arctan2(north, east)]), body).min() < 0.0)
+        return bool(clearance(scenario.map, np.column_stack(poses), body).min() < 0.0)
 
     def _cell(self, scenario: Scenario) -> float:
         """The side [m] of the cells: that of the map's picture, else as fine as the body asks for and time allows."""
@@ -138,11 +156,20 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         longest = max(scenario.size)
         return max(longest / MOST_CELLS, min(longest / FEW_CELLS, self.width / CELLS_ACROSS))
 
-    def _starts(self, start: Floats) -> Floats:
-        """The poses (S, 3) to start from: with all headings, or the one given."""
-        given = _radians(self.start_heading)
-        headings = np.arange(HEADINGS) * (2.0 * math.pi / HEADINGS) if given is None else np.array([given])
-        return np.column_stack([np.tile(start, (len(headings), 1)), headings])
+    def _step(self, longest: float) -> tuple[float, float]:
+        """The length [m] of an arc, and the cells' of poses, on a map as `longest` [m] as that.
+
+        A whole number of steps, so many that the curvature may change by one of the turns and an arc leaves its cell.
+        """
+        turns = self.curvature(self.lateral) / TURNS / (self.curvature_rate(self.steering_rate) * self.step)
+        step = self.step * math.ceil(max(turns, LEAVES * longest / POSE_CELLS / self.step))
+        return step, max(step / STEP_CELLS, longest / POSE_CELLS)
+
+
+def _headed(point: Floats, degrees: float | None) -> Floats:
+    """The poses (P, 3) at `point` (2,): with all headings, or the one given."""
+    headings = np.arange(HEADINGS) * (2.0 * math.pi / HEADINGS) if degrees is None else np.radians([degrees])
+    return np.column_stack([np.tile(point, (len(headings), 1)), headings])
 
 
 def _path(points: Floats, room: Room, scenario: Scenario) -> Path:

@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 
+from planners.astar.dubins_kernels import FULL_TURN, way_to_pose
+from planners.astar.finish_kernels import FREE_HEADING, arcs_fit, last_arcs
 from planners.astar.heap_kernels import pop, push
 from planners.astar.home_kernels import way_to_point
 from planners.astar.room_kernels import along_arc, arc_fits, fits
@@ -14,12 +16,9 @@ from planners.kernel import Bytes, Floats, Ints, kernel
 TURNS = 3  # to either side: arcs of 1, 2 and 3 thirds of the largest curvature
 HEADINGS = 72  # that are told apart, 5 deg each
 BITS = 2 * TURNS + 1  # of a byte: the arcs on which a pose was reached
-SLACK = 1.02  # of the way home: at most as much longer than the shortest is what is found
+NONE, MOST = -1, -2  # in place of a node
 COARSE = 2.0  # [cells] by which the way home may be too long
-FINISH = 3.0  # [steps] from the goal, within which its arc is tried
-FULL_TURN = 2.0 * math.pi
 X, Y, HEADING, WAY, CURVATURE = range(5)  # columns of a node
-FREE_HEADING = 1e9  # [rad] stands for a heading that is not given
 
 
 @kernel
@@ -31,52 +30,49 @@ def cell_of(x: float, y: float, heading: float, cell: float, columns: int) -> in
 
 @kernel
 def bound(
-    x: float, y: float, heading: float, goal: Floats, home: Floats, home_cell: float, radius: float
+    x: float, y: float, heading: float, goal: Floats, goal_heading: float, home: Floats, home_cell: float,
+    radius: float, finish_radius: float,
 ) -> float:  # fmt: skip
     """Lower bound [m] of the way from a pose to the `goal` (2,); inf where there is none.
 
-    The greater of that around the obstacles, less what its cells may add to it, and that of turns
-    of `radius` [m].
+    The greater of that around the obstacles, less what its cells may add to it, and that of turns of `radius` [m]; with
+    a heading at the goal of `finish_radius`, of which the last arcs are. That is no bound where an earlier turn is
+    tighter, but without it the search would look at all poses about the goal.
     """
     rows, columns = home.shape
     row, column = min(int(y / home_cell), rows - 1), min(int(x / home_cell), columns - 1)
     dx, dy = goal[0] - x, goal[1] - y
     ahead, left = math.cos(heading), math.sin(heading)
-    turning = way_to_point(dx * ahead + dy * left, dy * ahead - dx * left, radius)
+    at_ahead, at_left = dx * ahead + dy * left, dy * ahead - dx * left
+    if goal_heading == FREE_HEADING:
+        turning = way_to_point(at_ahead, at_left, radius)
+    else:
+        turning = way_to_pose(at_ahead, at_left, goal_heading - heading, finish_radius)
     around = (home[row, column] - COARSE) * home_cell
     return around if around > turning else turning
-
-
-@kernel
-def arc_to(x: float, y: float, heading: float, goal: Floats) -> tuple[float, float]:
-    """Curvature [1/m] and length [m] of the arc from a pose to the `goal` (2,); length inf where that is behind."""
-    dx, dy = goal[0] - x, goal[1] - y
-    far = math.hypot(dx, dy)
-    half = (math.atan2(dy, dx) - heading + math.pi) % FULL_TURN - math.pi
-    if abs(half) > 0.49 * math.pi:
-        return 0.0, math.inf
-    return 2.0 * math.sin(half) / far, far if abs(half) < 1e-9 else far * half / math.sin(half)
 
 
 @kernel
 def search(
     field: Floats, cell: float, size: Floats, along: Floats, radius: float, middle: float, around: float,
     home: Floats, home_cell: float, starts: Floats, goal: Floats, goal_heading: float,
-    step: float, curvature: float, change: float, seen: Bytes, pose_cell: float, most: int,
+    step: float, curvature: float, change: float, seen: Bytes, pose_cell: float, slack: float, most: int,
 ) -> tuple[int, int, Floats, Ints]:  # fmt: skip
     """A* from the poses `starts` (S, 3) to the `goal` (2,) by arcs of `step` [m] up to `curvature` [1/m].
 
-    From one arc to the next the curvature changes by at most `change` [1/m]. The last arc ends on the goal, and where
-    `goal_heading` is given, within half a cell of it. `seen` (cells,) has a bit for each pose's arcs, all 0. An arc is
-    looked at when its turn comes (lazy collision checks), for most never have it.
+    From one arc to the next the curvature changes by at most `change` [1/m]. The last arcs end on the goal, with
+    `goal_heading` where that is given. `seen` (cells,) has a bit for each pose's arcs, all 0. An arc is looked at when
+    its turn comes (lazy collision checks), for most never have it. What is found is at most `slack` times as long as
+    the shortest of such ways, but for what the cells of `seen` leave out.
 
-    Returns the last node, or -1 where there is none and -2 after `most` poses; how many poses were looked at; all
-    nodes (N, 5) and their parents (N,).
+    Returns the last node, or `NONE` where there is none and `MOST` after `most` poses; how many poses were looked at;
+    all nodes (N, 5) and their parents (N,).
     """
     columns = int(size[0] / pose_cell) + 1
     room = 1 << 14
     nodes, parents = np.empty((room, 5)), np.empty(room, dtype=np.int64)
     costs, items = np.empty(room), np.empty(room, dtype=np.int64)
+    arcs = np.empty((3, 2))
     made = count = looked = 0
     for i in range(len(starts)):
         if fits(field, cell, size, along, radius, starts[i, 0], starts[i, 1], starts[i, 2]):
@@ -86,12 +82,12 @@ def search(
             made += 1
     while count > 0:
         item = items[0]
+        if item < 0:  # of a node on the goal, that has been looked at
+            return ~item, looked, nodes[:made], parents[:made]
         count = pop(costs, items, count)
         x, y, heading, way, bent = nodes[item]
         parent = parents[item]
         if parent >= 0:
-            if nodes[item, X] == goal[0] and nodes[item, Y] == goal[1]:
-                return item, looked, nodes[:made], parents[:made]
             here = cell_of(x, y, heading, pose_cell, columns)
             bit = np.int64(1) << round((bent / curvature + 1.0) * TURNS)
             if seen[here] & bit:
@@ -104,26 +100,29 @@ def search(
             seen[here] |= bit
         looked += 1
         if looked > most:
-            return -2, looked, nodes[:made], parents[:made]
-        if made + BITS + 1 > room:
+            return MOST, looked, nodes[:made], parents[:made]
+        if made + BITS + len(arcs) > room:
             room *= 2
             more_nodes, more_parents = np.empty((room, 5)), np.empty(room, dtype=np.int64)
             more_costs, more_items = np.empty(room), np.empty(room, dtype=np.int64)
             more_nodes[:made], more_parents[:made] = nodes[:made], parents[:made]
             more_costs[:count], more_items[:count] = costs[:count], items[:count]
             nodes, parents, costs, items = more_nodes, more_parents, more_costs, more_items
-        last, length = arc_to(x, y, heading, goal)
-        fine = length <= FINISH * step and abs(last) <= curvature and (parent < 0 or abs(last - bent) <= change)
-        if fine and goal_heading < FREE_HEADING:
-            off = (heading + last * length - goal_heading + math.pi) % FULL_TURN - math.pi
-            fine = abs(off) <= math.pi / HEADINGS
-        if fine and arc_fits(
-            field, cell, size, along, radius, middle, around, x, y, heading, last, length
+        last = last_arcs(x, y, heading, bent, parent < 0, goal, goal_heading, step, curvature, change, arcs)
+        if last < math.inf and arcs_fit(
+            field, cell, size, along, radius, middle, around, x, y, heading, arcs
         ):  # fmt: skip
-            nodes[made, X], nodes[made, Y], nodes[made, HEADING] = goal[0], goal[1], heading + last * length
-            nodes[made, WAY], nodes[made, CURVATURE], parents[made] = way + length, last, item
-            count = push(costs, items, count, way + length, made)
-            made += 1
+            before = item
+            for k in range(len(arcs)):
+                if arcs[k, 1] > 0.0:
+                    x, y, heading = along_arc(x, y, heading, arcs[k, 0], arcs[k, 1])
+                    nodes[made, X], nodes[made, Y], nodes[made, HEADING] = x, y, heading
+                    nodes[made, WAY], nodes[made, CURVATURE] = nodes[before, WAY] + arcs[k, 1], arcs[k, 0]
+                    parents[made], before = before, made
+                    made += 1
+            nodes[before, X], nodes[before, Y] = goal[0], goal[1]
+            count = push(costs, items, count, way + last, ~before)
+            x, y, heading, way, bent = nodes[item]
         for k in range(-TURNS, TURNS + 1):
             arc = k * curvature / TURNS
             if parent >= 0 and abs(arc - bent) > change:
@@ -133,11 +132,13 @@ def search(
                 continue
             if seen[cell_of(to_x, to_y, to, pose_cell, columns)] & (np.int64(1) << (k + TURNS)):
                 continue
-            least = bound(to_x, to_y, to, goal, home, home_cell, 1.0 / curvature)
+            least = bound(
+                to_x, to_y, to, goal, goal_heading, home, home_cell, 1.0 / curvature, 1.0 / min(curvature, change)
+            )  # fmt: skip
             if least == math.inf:
                 continue
             nodes[made, X], nodes[made, Y], nodes[made, HEADING] = to_x, to_y, to
             nodes[made, WAY], nodes[made, CURVATURE], parents[made] = way + step, arc, item
-            count = push(costs, items, count, way + step + SLACK * least, made)
+            count = push(costs, items, count, way + step + slack * least, made)
             made += 1
-    return -1, looked, nodes[:made], parents[:made]
+    return NONE, looked, nodes[:made], parents[:made]

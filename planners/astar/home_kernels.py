@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from planners.astar.dubins_kernels import from_0
 from planners.kernel import Bools, Floats, kernel
 
 CHANGE = 1e-6  # [cells] less than that is none
@@ -29,7 +30,7 @@ def ways_home(free: Bools, row: int, column: int) -> Floats:
     """Distance (rows, cols) [cells] of each free cell from one, around what is not free; inf where there is no way.
 
     The eikonal equation |grad u| = 1 by fast sweeping (Zhao 2005): every quarter of the directions in turn, until
-    nothing changes. It is first-order: what it adds to the true distance is a cell or two, in any direction.
+    nothing changes. It is first-order: what it adds to the true distance is up to two cells from one bend to the next.
     """
     rows, columns = free.shape
     home = np.full((rows, columns), np.inf)
@@ -68,7 +69,7 @@ def way_to_point(ahead: float, left: float, radius: float) -> float:
     far = math.hypot(ahead, left - radius)
     if far >= radius:
         tangent = math.atan2(left - radius, ahead) - math.acos(radius / far)
-        return radius * ((tangent + 0.5 * math.pi) % (2.0 * math.pi)) + math.sqrt(far * far - radius * radius)
+        return radius * from_0(tangent + 0.5 * math.pi) + math.sqrt(far * far - radius * radius)
     # The right circle's centre is at (0, -radius), and the left one's two radii from it
     centre = math.hypot(ahead, left + radius)
     cosine = (3.0 * radius * radius + centre * centre) / (4.0 * radius * centre)
@@ -76,7 +77,7 @@ def way_to_point(ahead: float, left: float, radius: float) -> float:
     for side in (-1.0, 1.0):
         to = base + side * spread
         x, y = 2.0 * radius * math.cos(to), 2.0 * radius * math.sin(to) - radius
-        right = (0.5 * math.pi - to) % (2.0 * math.pi)
-        back = (math.atan2(left - y, ahead - x) - to - math.pi) % (2.0 * math.pi)
+        right = from_0(0.5 * math.pi - to)
+        back = from_0(math.atan2(left - y, ahead - x) - to - math.pi)
         best = min(best, radius * (right + back))
     return best

@@ -13,6 +13,7 @@ from planners.kernel import Floats
 
 WITHIN = 1e-3  # [1] relative, how far beyond a bound counts as kept
 PRICES = (2e3, 1e3, 50.0)  # [m] of length for all of a bound on curvature, on its change, and for a metre of margin
+BESIDE = 1e-3  # [legs] from an end, a point that gives its heading: the curvature there is of half a leg
 ACCURACY = 1e-6  # of the quadratic programs, absolute and relative
 
 
@@ -20,7 +21,7 @@ ACCURACY = 1e-6  # of the quadratic programs, absolute and relative
 class Bounds:
     """Bounds on `curvature` [1/m], its `change` [1/m^2] along the path, and the `margin` [m] wanted of the body.
 
-    Headings [rad] at the `start` and at the `goal` are None where they are free; without one the path begins straight.
+    Headings [rad] at the `start` and at the `goal` are None where they are free. The path begins with straight wheels.
     """
 
     curvature: float
@@ -61,12 +62,15 @@ def linearised(points: Floats, room: Room, body: Body, bounds: Bounds, near: flo
     n, left = len(points), normals(points)
     length = float(np.hypot(*np.diff(points, axis=0).T).sum())
     leg = length / (n - 1)
-    before, after = _beyond(points[0], bounds.start, -leg), _beyond(points[-1], bounds.goal, leg)
+    before, after = _beyond(points[0], bounds.start, -BESIDE * leg), _beyond(points[-1], bounds.goal, BESIDE * leg)
     bend, bend_by, change, change_by = bends(points, left, before, after)
+    sharpest = np.full(n, bounds.curvature)
+    # Wheels begin straight, and what counts at the start is a quarter of a leg on
+    sharpest[0] = min(bounds.curvature, 0.25 * leg * bounds.change)
     if bounds.goal is None:  # the curvature at the end is free
         change, change_by = change[:-1], change_by[:-1]
     bend, bend_by, change, change_by = (
-        bend / bounds.curvature, bend_by / bounds.curvature, change / bounds.change, change_by / bounds.change
+        bend / sharpest, bend_by / sharpest[:, None], change / bounds.change, change_by / bounds.change
     )  # fmt: skip
     radius = body.radius + bounds.margin
     at, spare, spare_by = contacts(points, left, room.field, room.cell, room.size, body.along, radius, near)

@@ -13,7 +13,7 @@ from planners.occupancy import clearance_field, extent, occupancy
 from planners.scenario import Scenario
 
 HALF_DIAGONAL = math.sqrt(0.5)
-DISCS = 7  # along the body: their rims stand out by 4 % of its half-width
+DISCS = 7  # along the body: of the truck, their rims stand out by 8 % of its half-width
 
 
 @dataclass(frozen=True, slots=True)

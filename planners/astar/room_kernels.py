@@ -85,7 +85,7 @@ def arc_fits(
         return False
     near_x, near_y, near = along_arc(x, y, heading, curvature, 0.5 * length)
     # No pose is farther along than half of the arc, and turning about the reference point moves the middle no more
-    reach = around + 0.5 * length * (1.0 + abs(curvature) * middle)
+    reach = around + 0.5 * length * (1.0 + abs(curvature * middle))
     inside = min(near_x, near_y, size[0] - near_x, size[1] - near_y) > 0.5 * length
     if inside and room_at(field, cell, near_x + middle * math.cos(near), near_y + middle * math.sin(near)) > reach:
         return True

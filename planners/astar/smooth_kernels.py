@@ -77,7 +77,7 @@ def contacts(
     the heading. The last rows are of points as near as that to the edge, of which only they themselves keep clear.
     """
     n = len(points)
-    most = n * (len(along) + 1)
+    most = n * (len(along) + 4)  # the sides of the map, too
     at, left_over, by_shift = np.empty(most, dtype=np.int64), np.empty(most), np.zeros((most, 3))
     count = 0
     for i in range(n):
