@@ -106,13 +106,16 @@ def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], ste
     rows = [names[i : i + SPEEDS] for names in kinds.values() for i in range(0, len(names), SPEEDS)]
     pages = [rows[i : i + ROWS] for i in range(0, len(rows), ROWS)]
     pictures = []
-    for number_of, page in enumerate(pages, start=1):
-        file = _file(stem, f"routes {number_of}" if len(pages) > 1 else "routes")
+    for page_number, page in enumerate(pages, start=1):
+        file = _file(stem, f"routes {page_number}" if len(pages) > 1 else "routes")
         shown = [[_route(name, plans[name], routes[name]) for name in row] for row in page]
         save_routes_figure(plans[page[0][0]].scenario, shown, file)
         beside = _beside(claim.beside.plan for row in page for name in row for claim in plans[name].claims)
-        what = "the routes, with the lateral acceleration that each needs at its speed; red where it is too much."
-        pictures.append(Picture(file, f"{_listed(name for row in page for name in row)}: {what}{beside}"))
+        who = _listed(dict.fromkeys(plans[name].planner.name for row in page for name in row))
+        unplanned = any(plans[name].planned_for is None for row in page for name in row)
+        slowest = ", or the slowest at which it is driven" if unplanned else ""
+        what = f"the routes, and the most lateral acceleration that each needs at the speed it is planned for{slowest}."
+        pictures.append(Picture(file, f"{who}: {what}{beside}"))
     return pictures
 
 
