@@ -7,6 +7,7 @@ from planners.all_planners import make_planner, plan_with
 from reports.plan_figure import plan_figure
 from reports.plan_pictures import draw_plans
 from reports.plan_turn import came
+from reports.quantity import text
 from reports.routes_figure import COLUMNS, ROWS, Route, routes_figure, save_routes_figure
 from reports.style import VERMILION, style
 from sample_maps import box, scenario
@@ -28,7 +29,7 @@ def rows():
 
 
 def words(figure):
-    return "\n".join(text.get_text() for text in figure.findobj(lambda artist: hasattr(artist, "get_text")))
+    return "\n".join(artist.get_text() for artist in figure.findobj(lambda artist: hasattr(artist, "get_text")))
 
 
 def crosses(axes):
@@ -40,11 +41,11 @@ def test_routes_at_one_scale_with_what_they_need_and_where_they_ended(rows):
         figure = routes_figure(WALL, rows)
         drawn = figure.get_tightbbox()
     assert len(figure.axes) == 4
-    assert len({(axes.get_xlim(), axes.get_ylim(), axes.bbox.size.tobytes()) for axes in figure.axes}) == 1
-    assert f"{rows[0][0].plan.paths[0].length:.1f} m, 2.67 g" in words(figure)
+    assert len({(axes.get_xlim(), axes.get_ylim(), *np.round(axes.bbox.size, 6)) for axes in figure.axes}) == 1
+    assert f"{text(rows[0][0].plan.paths[0].length, 'm', 4)}, 2.67 g" in words(figure)
     for route, axes in zip(rows[1], figure.axes[1:], strict=True):
         end = came(route.plan)[0].xy[-1]
-        assert f"not found, {np.hypot(*(end - WALL.goals[0])):.1f} m from the goal" in words(axes)
+        assert f"not found, {text(np.hypot(*(end - WALL.goals[0])), 'm')} from the goal" in words(axes)
         (cross,) = crosses(axes)
         assert cross.get_xydata()[0] == pytest.approx(end)
     assert not crosses(figure.axes[0])
