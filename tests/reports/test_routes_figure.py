@@ -4,6 +4,7 @@ import pytest
 from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner, plan_with
+from reports.pdf_plans import plan_sections
 from reports.plan_figure import plan_figure
 from reports.plan_pictures import draw_plans
 from reports.plan_turn import came
@@ -78,6 +79,15 @@ def test_a_campaign_has_one_picture_of_its_routes(tmp_path):
     assert routes.file.name == "plans-routes.png"
     assert routes.caption.startswith("astar-four and astar-arc-paper: the routes")
     assert routes.caption.endswith("or the slowest at which it is driven. Beside Fig. 9; Fig. 10.")
+
+
+def test_what_plans_need_is_explained_where_they_are_driven(tmp_path, monkeypatch):
+    monkeypatch.setattr("reports.pdf_plans.draw_plans", lambda *given: [])
+    told = (
+        "Needs: lateral acceleration, red over 0.6 g; of what is claimed, that of an arc which turns so far in 0.5 s."
+    )
+    notes = [plan_sections([by(printed(45.0), speed)], [], {}, "Note.", tmp_path)[0].note for speed in (12.5, None)]
+    assert notes == [f"{told} Note.", "Note."]
 
 
 def test_more_speeds_than_a_page_holds_go_on_the_next(tmp_path, monkeypatch):
