@@ -11,6 +11,7 @@ import msgspec
 
 from campaigns.case import Case, Count
 from planners.all_planners import make_planner
+from planners.astar.heading_limits import STEP_TIME
 from planners.astar.settings import planned_speed
 from planners.errors import InputError
 from planners.typed_toml import suggestion
@@ -56,6 +57,15 @@ class Claim(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     def holds_for(self, speed: float | None) -> bool:
         """Whether it is about plans for that `speed` [m/s], None for that of a planner that plans for none."""
         return self.speed is None or (speed is not None and math.isclose(parse_speed(self.speed), speed, rel_tol=SAME))
+
+    def needed(self, speed: float | None) -> float | None:
+        """The lateral acceleration [m/s^2] of its largest turn at its own speed, else at `speed` [m/s]; None for none.
+
+        That of an arc which turns so far in one step of `STEP_TIME` (paper 004, section 2.2), as `planners.needed` has
+        it of a path.
+        """
+        speed = speed if self.speed is None else parse_speed(self.speed)
+        return None if speed is None or self.turn is None else speed * math.radians(self.turn) / STEP_TIME
 
 
 def check_claims(claims: Sequence[Claim], cases: Sequence[Case], file: str) -> None:

@@ -10,18 +10,22 @@ from pathlib import Path
 from statistics import median
 
 import msgspec
+import numpy as np
 
-from campaigns.case import Case
 from campaigns.claims import Claim
 from campaigns.plans import Plan
 from campaigns.ready import ReadyCase
 from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
+from planners.needed import lateral_acceleration_needed
 from planners.outside import OutsidePlanner
+from planners.path import Path as PlannedPath
 from planners.planner import Planner
 from planners.scenario import Scenario
+from planners.units import parse_speed
 
 FAILED = "failed"  # of a plan whose planner did
+GROUND = "ground"  # the kind of vehicle that drives
 
 
 class Spread(msgspec.Struct, frozen=True):
@@ -70,6 +74,9 @@ class PlannedBy:
 
     `seed` is that of the first it answered, None where it always failed; `claims` are what others say of it. `searches`
     are the facts of those plans whose search counted its cost evaluations.
+
+    `driven_at` is the speed [m/s] that it plans for, or else the slowest at which a ground vehicle follows its plans,
+    and `needed` the most lateral acceleration [m/s^2] that these need then; None where there is no such speed, or path.
     """
 
     planner: Planner
@@ -80,6 +87,8 @@ class PlannedBy:
     claims: tuple[Claim, ...] = ()
     searches: tuple[PlanFacts, ...] = ()
     cases: tuple[str, ...] = ()
+    driven_at: float | None = None
+    needed: float | None = None
 
     @property
     def planned_for(self) -> float | None:
@@ -127,18 +136,18 @@ def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path
     does at each scale of it.
     """
     plans: dict[tuple[Scenario, Planner], dict[str, Plan]] = {}
-    flying: dict[tuple[Scenario, Planner], dict[str, Case]] = {}
+    flying: dict[tuple[Scenario, Planner], dict[str, ReadyCase]] = {}
     for ready in cases:
         for plan in ready.plans:
             if not isinstance(plan.planner, OutsidePlanner):
                 plans.setdefault((plan.scenario, plan.planner), {})[plan.key] = plan
-                flying.setdefault((plan.scenario, plan.planner), {})[ready.case.name] = ready.case
+                flying.setdefault((plan.scenario, plan.planner), {})[ready.case.name] = ready
     found: list[PlannedBy] = []
     told: set[tuple[int, Scenario | None]] = set()
     for (scenario, planner), group in plans.items():
         facts = [plan.told(folder) for plan in group.values()]
         flown = flying[scenario, planner]
-        case = next(iter(flown.values()))
+        case = next(iter(flown.values())).case
         here = ("", Path(case.scenario or "").stem)
         own = [
             (i, scenario if claim.scenario else None) for i, claim in enumerate(claims)
@@ -151,8 +160,26 @@ def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path
         searches = tuple(one for one in answered if one.evaluations)
         stands = tuple(claims[i] for i, _ in own)
         told_of = statistics_of(facts)
-        found.append(PlannedBy(planner, scenario, seed, case.name, told_of, stands, searches, tuple(flown)))
+        speed = _driven_at(planner, flown.values())
+        with_path = [plan for plan, one in zip(group.values(), facts, strict=True) if one is not None and one.lengths]
+        needed = None if speed is None else _needed(with_path, speed, folder)
+        found.append(
+            PlannedBy(planner, scenario, seed, case.name, told_of, stands, searches, tuple(flown), speed, needed)
+        )
     return found
+
+
+def _driven_at(planner: Planner, cases: Iterable[ReadyCase]) -> float | None:
+    """The speed [m/s] that `planner` plans for, else the slowest of the ground vehicles of `cases`."""
+    limits = [(ready.case.speed, ready.inputs.limits) for ready in cases if ready.inputs.limits.kind == GROUND]
+    slowest = min((own.speed if speed is None else parse_speed(speed) for speed, own in limits), default=None)
+    return planned_speed(planner) or slowest
+
+
+def _needed(plans: Iterable[Plan], speed: float, folder: Path) -> float | None:
+    """The most lateral acceleration [m/s^2] that the stored paths of `plans` need at `speed` [m/s]; None for none."""
+    paths = [path for plan in plans for path in plan.load(folder) if isinstance(path, PlannedPath)]
+    return max((float(np.abs(lateral_acceleration_needed(path, speed)[1]).max()) for path in paths), default=None)
 
 
 def _stages(paths: Sequence[PlanFacts]) -> tuple[tuple[str, float], ...]:

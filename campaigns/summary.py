@@ -125,8 +125,13 @@ def _plans(one: PlannedBy) -> Json:
         "clearance": one.planner.clearance,
         "planned_for": one.planned_for,
         "straight_length": one.straight,
+        "driven_at": one.driven_at,
+        "lateral_acceleration_needed": one.needed,
         **msgspec.to_builtins(one.statistics),
-        "claims": [msgspec.to_builtins(claim) for claim in one.claims],
+        "claims": [
+            {**msgspec.to_builtins(claim), "lateral_acceleration_needed": claim.needed(one.driven_at)}
+            for claim in one.claims
+        ],
     }
 
 

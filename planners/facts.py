@@ -28,10 +28,10 @@ class PlanFacts(msgspec.Struct, frozen=True, kw_only=True):
 
     Of a fleet, `length`, `polyline_length` and `exact_length` are sums over its paths, `lengths` those of each, and
     `longest` the greatest of these; turn angles, radius and clearance are the worst of all. `stages` are the sums after
-    each step of planning. `exact_length` is that of the shortest paths that keep the planner's clearance, by visibility
-    graph, under the best assignment. Turn angles are taken where a path is drawn, and when it is sampled every 1 and 5
-    map units. `best`, `mean` and `survivors`
-    are by iteration, `converged` is the first whose best way is within 1 % of the best of all.
+    each step of planning, none where there is no path. `exact_length` is that of the shortest paths that keep the
+    planner's clearance, by visibility graph, under the best assignment. Turn angles are taken where a path is drawn,
+    and when it is sampled every 1 and 5 map units. `best`, `mean` and `survivors` are by iteration, `converged` is the
+    first whose best way is within 1 % of the best of all.
     """
 
     planner: str

@@ -68,8 +68,9 @@ class Plan:
 
     `paths` holds one for each start that has a goal, in the order of the starts; none where there is none, and then
     `outcome` is `NO_PATH` or `NOT_FOUND` and `reason` says why in one line. `stages` are how they came to be, in order,
-    for planners that work in steps. `polylines` are the paths before they were smoothed, `notes` one line each on
-    what the user should know. `smallest_radius` [m] is that of the tightest curve, None for a path with corners.
+    for planners that work in steps; without `paths`, how far it came. `polylines` are the paths before they were
+    smoothed, `notes` one line each on what the user should know. `smallest_radius` [m] is that of the tightest curve,
+    None for a path with corners.
     """
 
     paths: tuple[Path, ...] = ()

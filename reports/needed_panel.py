@@ -36,14 +36,22 @@ def draw_beyond(axes: Axes, plan: Plan, speed: float) -> None:
             axes.plot(*piece.T, color=VERMILION, linewidth=2.8, solid_capstyle="butt", zorder=4.3)
 
 
+def ring_worst(axes: Axes, plan: Plan, speed: float) -> None:
+    """Ring the place that needs the most; none where the path is straight."""
+    path, s, needed = worst_place(plan, speed)
+    if needed != 0.0:
+        ring = {**mark_look("", "o", 10.0, "none", MARK[beyond(needed)]), "markeredgewidth": 1.6, "zorder": 7.5}
+        axes.plot(*path.point_at(s), **ring)
+
+
 def draw_worst(axes: Axes, plan: Plan, speed: float) -> None:
     """Ring the place that needs the most, and say how much in g on the outside of its bend."""
     path, s, needed = worst_place(plan, speed)
     if needed == 0.0:
         return
+    ring_worst(axes, plan, speed)
     x, y = path.point_at(s)
-    colour, outward = MARK[_beyond(needed)], path.heading_at(s) - math.copysign(math.pi / 2, needed)
-    axes.plot(x, y, **{**mark_look("", "o", 10.0, "none", colour), "markeredgewidth": 1.6, "zorder": 7.5})
+    colour, outward = MARK[beyond(needed)], path.heading_at(s) - math.copysign(math.pi / 2, needed)
     across, up = math.cos(outward), math.sin(outward)
     axes.annotate(
         f"{number(abs(needed))} g", (x, y), xytext=(_ASIDE * across, _ASIDE * up), textcoords="offset points",
@@ -57,13 +65,17 @@ def needed_entries(plans: Iterable[Plan], speed: float) -> list[Line2D]:
     worst = [abs(worst_place(plan, speed)[2]) for plan in plans if plan.paths]
     if not worst:
         return []
-    most = max(worst)
-    limit = f"needs up to {number(LATERAL)} g of lateral acceleration at {number(3.6 * speed)} km/h"
+    return entries_up_to(max(worst), f"at {number(3.6 * speed)} km/h")
+
+
+def entries_up_to(most: float, when: str) -> list[Line2D]:
+    """The same of paths that need at `most` so much [g] `when` they are driven."""
+    limit = f"needs up to {number(LATERAL)} g of lateral acceleration {when}"
     entries = [Line2D([], [], color=WITHIN, linewidth=1.8, label=limit)]
-    if _beyond(most):
+    if beyond(most):
         entries.append(Line2D([], [], color=VERMILION, linewidth=2.8, label="needs more"))
     if most > 0.0:
-        look = mark_look("needs most", "o", 8.0, "none", MARK[_beyond(most)])
+        look = mark_look("needs most", "o", 8.0, "none", MARK[beyond(most)])
         entries.append(Line2D([], [], **{**look, "markeredgewidth": 1.6}))
     return entries
 
@@ -88,5 +100,6 @@ def worst_place(plan: Plan, speed: float) -> tuple[Path, float, float]:
     return max(found, key=lambda place: abs(place[2]))
 
 
-def _beyond(needed: float) -> bool:
+def beyond(needed: float) -> bool:
+    """Whether a path that needs so much [g] needs more than the limit."""
     return abs(needed) > _TOLERANCE * LATERAL

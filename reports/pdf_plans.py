@@ -8,6 +8,7 @@ from pathlib import Path
 
 from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
+from planners.astar.heading_limits import LATERAL, STEP_TIME
 from planners.scenario import Scenario
 from reports.json_result import Json
 from reports.plan_pictures import Picture, draw_plans
@@ -50,7 +51,7 @@ def plan_sections(
         rows: list[Json] = [plan_row(one, name, results) for name, one in named.items()]
         stem = folder / f"plans-{i + 1}-{slug(scenario.name)}"
         pictures = draw_plans(named, results, outcomes, stem) if i in drawn else []
-        told = note if i == noted else ""
+        told = " ".join(filter(None, [_explained(group), note if i == noted else ""]))
         several = sum(one.name == scenario.name for one in scenarios) > 1
         name = f"{scenario.name} at {text(scenario.unit, 'm')} a unit" if several else scenario.name
         sections.append(Section(name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
@@ -75,6 +76,16 @@ def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
         "note": section.note,
         "pictures": [{"file": file, "caption": picture.caption} for file, picture in pictures],
     }
+
+
+def _explained(plans: Sequence[PlannedBy]) -> str:
+    """What the column of what plans need says, where there is one."""
+    if all(one.driven_at is None for one in plans):
+        return ""
+    return (
+        f"Needs: lateral acceleration, red over {number(LATERAL)} g; of what is claimed, that of an arc which turns so "
+        f"far in {number(STEP_TIME)} s."
+    )
 
 
 def _about(scenario: Scenario, plans: Sequence[PlannedBy]) -> str:

@@ -11,15 +11,23 @@ from reports.json_result import Json
 from reports.names import spoken
 
 
-def driven(one: PlannedBy, results: Sequence[CaseResult]) -> dict[str, Json]:
+def driven(one: PlannedBy, results: Sequence[CaseResult]) -> list[Json]:
     """How many trials of all cases with these plans are trackworthy, and what decides the worst of the others.
 
-    `share` is "9 of 18", "" where there was none; `all` says whether none of them failed.
+    One for each vehicle: its name, "" where there is but one; `share`, "9 of 18"; and `all`, whether none failed.
     """
-    found = [result.statistics for result in results if result.case.name in one.cases]
+    tried = [result for result in results if result.case.name in one.cases and result.statistics.tried]
+    vehicles = list(dict.fromkeys(result.case.vehicle for result in tried))
+    return [
+        _by(vehicle if len(vehicles) > 1 else "", [own.statistics for own in tried if own.case.vehicle == vehicle])
+        for vehicle in vehicles
+    ]
+
+
+def _by(vehicle: str, found: Sequence[CaseStatistics]) -> Json:
     tried, good = sum(case.tried for case in found), sum(case.trackworthy for case in found)
-    share = f"{good} of {tried}" if tried else ""
-    return {"share": share, "why": _why(found) if good < tried else "", "all": good == tried}
+    why = _why(found) if good < tried else ""
+    return {"vehicle": vehicle, "share": f"{good} of {tried}", "why": why, "all": good == tried}
 
 
 def _why(found: Sequence[CaseStatistics]) -> str:

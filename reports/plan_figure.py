@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -18,12 +19,13 @@ from reports.needed_panel import WITHIN, draw_beyond, draw_worst, needed_entries
 from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, total, whole_map
 from reports.plan_rows import is_fleet
 from reports.plan_search import draw_search
-from reports.plan_turn import draw_exact, draw_lines, draw_turn, turn_view
+from reports.plan_turn import came_entries, draw_came, draw_exact, draw_lines, draw_turn, turn_view
 from reports.quantity import number, text
 from reports.style import DASHES, INK, MUTED, WIDTH, new_figure, place, save, style
 
 _LABELS, _TITLE, _KEY, _BOTTOM = 0.44, 0.44, 0.26, 0.06  # [in] under and above axes, legend of the map, margin
 _NAME, _LINE = 0.40, 0.19  # [in] of the head, and of each plan in it
+_BROADEST = 105  # characters of a line in the head
 _FULL = WIDTH - LEFT - RIGHT
 _HIGHEST, _LOWEST = 4.8, 2.0  # [in] of the map
 _TURN, _SEARCH = 2.3, 2.3  # [in] height of the rows
@@ -60,12 +62,15 @@ def plan_figure(
     exact, view = shortest(scenario, clearance), whole_map(scenario)
     turns = [name for name, plan in plans.items() if plan.paths][:_MOST_TURNS]
     histories = {name: plan.history for name, plan in plans.items() if plan.history is not None}
-    top = _NAME + _LINE * len(plans) + 0.12
+    told = {
+        name: textwrap.fill(f"{name}: {_told(plan, scenario.unit, exact)}", _BROADEST) for name, plan in plans.items()
+    }
+    top = _NAME + _LINE * sum(len(lines.splitlines()) for lines in told.values()) + 0.12
     world = Box(LEFT, top, _FULL, min(_HIGHEST, max(_LOWEST, _FULL * view.height / view.width)))
     key = _KEY if speed is None else _KEY + _LINE
     near, search, bottom = _rows(world.bottom + _LABELS + key + _TITLE, len(turns), bool(histories))
     figure = new_figure(bottom + _BOTTOM)
-    _draw_head(figure, scenario, plans, colours, exact)
+    _draw_head(figure, scenario, told, colours)
     view = view.filled(world.width / world.height)
     axes = place(figure, world.left, world.top, world.width, world.height)
     draw_ground(axes, scenario, view)
@@ -73,6 +78,7 @@ def plan_figure(
     draw_exact(axes, exact)
     for name, plan in plans.items():
         draw_lines(axes, plan, colours[name])
+        draw_came(axes, plan, colours[name])
         if speed is not None and plan.paths:
             draw_beyond(axes, plan, speed)
             draw_worst(axes, plan, speed)
@@ -110,20 +116,11 @@ def _rows(top: float, turns: int, searched: bool) -> tuple[list[Box], Box | None
     return near, search, search.bottom + _LABELS
 
 
-def _draw_head(
-    figure: Figure,
-    scenario: Scenario,
-    plans: Mapping[str, Plan],
-    colours: Mapping[str, str],
-    exact: Sequence[PlannedPath],
-) -> None:
-    """The scenario's name, and a line about each plan in its colour."""
+def _draw_head(figure: Figure, scenario: Scenario, told: Mapping[str, str], colours: Mapping[str, str]) -> None:
+    """The scenario's name, and what is told of each plan in its colour."""
     height = figure.get_size_inches()[1]
     figure.text(0.2 / WIDTH, 1.0 - 0.22 / height, scenario.name, fontsize=12.5, fontweight="bold", va="center")
-    lines = [
-        Line2D([], [], color=colours[name], linewidth=1.8, label=f"{name}: {_told(plan, scenario.unit, exact)}")
-        for name, plan in plans.items()
-    ]
+    lines = [Line2D([], [], color=colours[name], linewidth=1.8, label=lines) for name, lines in told.items()]
     figure.legend(
         handles=lines, loc="upper left", bbox_to_anchor=(0.2 / WIDTH, 1.0 - _NAME / height), borderaxespad=0.0,
         fontsize=8.5, handlelength=1.4, borderpad=0.0, labelspacing=0.4,
@@ -161,6 +158,7 @@ def _draw_key(
         entries.append(Line2D([], [], color=INK, linewidth=0.7, label=yardstick))
     if any(plan.polylines and plan.smallest_radius is not None for plan in plans.values()):
         entries.append(Line2D([], [], color=MUTED, linewidth=0.9, linestyle=DASHES, label="before smoothing"))
+    entries += came_entries(plans.values(), MUTED)
     needed = [] if speed is None else needed_entries(plans.values(), speed)
     for i, row in enumerate(filter(None, [entries, needed])):
         top = world.bottom + _LABELS + 0.04 + i * _LINE

@@ -18,8 +18,12 @@ from reports.comparison_figure import save_comparison_figure
 from reports.convergence_figure import HIGHEST, LOW, save_convergence_figure
 from reports.flown_figure import save_flown_figure
 from reports.plan_figure import save_plan_figure
+from reports.plan_rows import is_fleet
+from reports.plan_turn import came
 from reports.quantity import number
 from reports.roadmap_figure import has_roadmap, save_roadmap_figure
+from reports.routes_figure import COLUMNS as SPEEDS
+from reports.routes_figure import ROWS, Route, save_routes_figure
 from reports.sector_figure import COLUMNS, save_sector_figure
 from reports.slug import slug
 from reports.trials_words import worst_name
@@ -42,9 +46,9 @@ def draw_plans(
 ) -> list[Picture]:
     """Draw `plans` of one scenario, by label, as PNG files that begin with `stem`.
 
-    The roadmap, the sectors of A* by arcs, the searches in the same axes, each planner's plan, each one's ants, and
-    then the runs: of the first case of each planner that of `outcomes`, by the name of the case; fleets have a page for
-    each case instead. The same plans give the same bytes.
+    The roadmap, the sectors of A* by arcs, the searches in the same axes, the routes where planners plan for speeds,
+    each other planner's plan, each one's ants, and then the runs: of the first case of each planner that of `outcomes`,
+    by the name of the case; fleets have a page for each case instead. The same plans give the same bytes.
     """
     planned = {
         name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
@@ -52,12 +56,14 @@ def draw_plans(
     searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
     colonies = {name: history for name, history in searches.items() if history.evaluations is None}
     counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
+    routes = _routes(plans, planned)
     return [
         *_draw_roadmap(plans, planned, stem),
         *_draw_sectors(plans, planned, stem),
         *_draw_convergence(plans, counted, stem),
         *_draw_comparison(plans, colonies, stem),
-        *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items()),
+        *_draw_routes(plans, {name: planned[name] for name in routes}, stem),
+        *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items() if name not in routes),
         *(_draw_ants(name, plans[name], history, stem) for name, history in searches.items() if history.swarms),
         *_draw_flown(plans, results, outcomes, stem),
     ]
@@ -79,6 +85,43 @@ def _draw_plan(name: str, one: PlannedBy, plan: Plan, stem: Path) -> Picture:
     file = _file(stem, name)
     save_plan_figure(one.scenario, {name: plan}, file, one.planner.clearance, planned_speed(one.planner))
     return Picture(file, _plan_caption(name, one, plan) + _beside(claim.beside.plan for claim in one.claims))
+
+
+def _routes(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan]) -> list[str]:
+    """Those shown side by side, where several are and some plan for a speed: all that are driven, but for searches
+    that have a picture of how they went on.
+    """
+    driven = [
+        name for name, plan in planned.items()
+        if plans[name].driven_at is not None and plan.history is None and not is_fleet(plans[name].scenario)
+    ]  # fmt: skip
+    return driven if len(driven) > 1 and any(plans[name].planned_for for name in driven) else []
+
+
+def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], stem: Path) -> list[Picture]:
+    """First those for no speed, then a row of each planner that plans for speeds."""
+    kinds: dict[str, list[str]] = {}
+    for name in sorted(routes, key=lambda name: plans[name].planned_for is not None):
+        kinds.setdefault(plans[name].planner.name if plans[name].planned_for else "", []).append(name)
+    rows = [names[i : i + SPEEDS] for names in kinds.values() for i in range(0, len(names), SPEEDS)]
+    pages = [rows[i : i + ROWS] for i in range(0, len(rows), ROWS)]
+    pictures = []
+    for page_number, page in enumerate(pages, start=1):
+        file = _file(stem, f"routes {page_number}" if len(pages) > 1 else "routes")
+        shown = [[_route(name, plans[name], routes[name]) for name in row] for row in page]
+        save_routes_figure(plans[page[0][0]].scenario, shown, file)
+        beside = _beside(claim.beside.plan for row in page for name in row for claim in plans[name].claims)
+        who = _listed(dict.fromkeys(plans[name].planner.name for row in page for name in row))
+        unplanned = any(plans[name].planned_for is None for row in page for name in row)
+        slowest = ", or the slowest at which it is driven" if unplanned else ""
+        what = f"the routes, and the most lateral acceleration that each needs at the speed it is planned for{slowest}."
+        pictures.append(Picture(file, f"{who}: {what}{beside}"))
+    return pictures
+
+
+def _route(name: str, one: PlannedBy, plan: Plan) -> Route:
+    speed = one.driven_at or 0.0
+    return Route(name if one.planned_for else f"{name}, {number(3.6 * speed)} km/h", plan, speed)
 
 
 def _draw_ants(name: str, one: PlannedBy, history: History, stem: Path) -> Picture:
@@ -171,7 +214,8 @@ def _named(outcome: Outcome, name: str, result: CaseResult) -> Outcome:
 
 def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     if not plan.paths:
-        return f"{name}, seed {one.seed}: {plan.outcome}; thin, the exact shortest path."
+        stuck = ", dashed as far as it came" if came(plan) else ""
+        return f"{name}, seed {one.seed}: {plan.outcome}{stuck}; thin, the exact shortest path."
     if len(plan.paths) > 1:
         before = [f"dashed, those after {plan.stages[-2].name}"] if len(plan.stages) > 1 else []
         parts = ["the paths", *before, "the sharpest turn from near"]

@@ -14,7 +14,9 @@ from campaigns.summary import CaseResult
 from planners.astar.settings import planned_speed
 from planners.planner import Planner
 from planners.scenario import Scenario
+from planners.units import STANDARD_GRAVITY
 from reports.json_result import Json
+from reports.needed_panel import beyond
 from reports.plan_driven import driven
 from reports.quantity import number, text
 from reports.words import KMH
@@ -44,8 +46,9 @@ def plan_row(one: PlannedBy, label: str, results: Sequence[CaseResult] = ()) -> 
         "corner": "" if told.turn_max_deg is None else f"{number(told.turn_max_deg)}°",
         "over": _over(one),
         "stages": _stages(told, unit),
+        "needs": _needs(one.needed, "" if one.planned_for else _at(one.driven_at)),
         "driven": driven(one, results),
-        "claims": [_claim_row(claim) for claim in one.claims],
+        "claims": [_claim_row(claim, one.driven_at) for claim in one.claims],
     }
 
 
@@ -120,16 +123,29 @@ def _stages(told: PlanStatistics, unit: float) -> str:
     return f"{steps} map units{', medians' if told.found > 1 else ''}"
 
 
-def _claim_row(claim: Claim) -> dict[str, Json]:
+def _claim_row(claim: Claim, speed: float | None) -> dict[str, Json]:
     return {
         "source": claim.source,
         "length": "" if claim.length is None else number(claim.length, _DIGITS),
         "straight": "" if not claim.length or not claim.straight else number(claim.length / claim.straight, 4),
         "longest": "" if claim.longest is None else number(claim.longest, _DIGITS),
         "turn": "" if claim.turn is None else f"{number(claim.turn)}°",
+        "needs": _needs(claim.needed(speed), "" if claim.speed else _at(speed)),
         "survivors": "" if claim.survivors is None else "{} of {}".format(*claim.survivors),
         "converged": "" if claim.iterations is None else f"{claim.iterations}",
     }
+
+
+def _needs(needed: float | None, at: str) -> dict[str, Json]:
+    """A lateral acceleration [m/s^2] in g, `at` which speed, and whether it is over the limit; "" for none."""
+    if needed is None:
+        return {"g": "", "at": "", "over": False}
+    share = needed / STANDARD_GRAVITY
+    return {"g": number(share), "at": at, "over": beyond(share)}
+
+
+def _at(speed: float | None) -> str:
+    return "" if speed is None else f"at {text(speed * KMH, 'km/h')}"
 
 
 def _lines(spread: Spread | None, factor: float, digits: int) -> list[Json]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
+from matplotlib.lines import Line2D
 
 from planners.kernel import Floats
 from planners.path import Path
@@ -16,7 +17,7 @@ from planners.scenario import Scenario
 from reports.extent import Extent
 from reports.plan_map import draw_ground
 from reports.quantity import number, text
-from reports.style import DASHES, INK, Look
+from reports.style import DASHES, INK, PAPER, VERMILION, Look
 from reports.ticks import ticks_from
 
 if TYPE_CHECKING:
@@ -28,6 +29,10 @@ _STRAIGHT = 0.05  # a stretch that bends less than this share of the sharpest be
 _SHARP = 0.8  # turns that bend at least by this share of it are as sharp
 _CUT = 12.0  # how many times what the curve cuts off the corner the view reaches, within these shares of the map
 _NEAREST, _FARTHEST = 0.008, 0.04
+_ENDED: Look = {
+    "marker": "X", "markersize": 9.0, "linestyle": "none", "color": VERMILION, "markeredgecolor": PAPER,
+    "markeredgewidth": 0.8, "zorder": 7.5,
+}  # fmt: skip
 _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
 
 
@@ -102,3 +107,23 @@ def draw_lines(axes: Axes, plan: Plan, colour: str, corners: bool = False) -> No
         axes.plot(*polyline.xy.T, color=colour, linewidth=0.9, linestyle=DASHES, zorder=4.2, **dots)
     for path in plan.paths:
         axes.plot(*path.xy.T, color=colour, linewidth=1.8, zorder=4.1)
+
+
+def draw_came(axes: Axes, plan: Plan, colour: str) -> None:
+    """How far a search without a path came, with a cross where it ended."""
+    for path in came(plan):
+        axes.plot(*path.xy.T, color=colour, linewidth=1.4, linestyle=DASHES, zorder=4.2)
+        axes.plot(*path.xy[-1], **_ENDED)
+
+
+def came(plan: Plan) -> tuple[Path, ...]:
+    """The ways on which a search without a path came to its end; none where they are not known."""
+    return plan.stages[-1].paths if plan.stages and not plan.paths else ()
+
+
+def came_entries(plans: Iterable[Plan], colour: str) -> list[Line2D]:
+    """What the marks of `draw_came` mean, for a legend; nothing where there are none."""
+    if not any(came(plan) for plan in plans):
+        return []
+    way = Line2D([], [], color=colour, linewidth=1.4, linestyle=DASHES, label="as far as it came")
+    return [way, Line2D([], [], **_ENDED, label="no way on")]

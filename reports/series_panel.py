@@ -36,7 +36,8 @@ def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None,
     if panel.grip is not None:
         _grip(axes, panel.grip)
     if panel.needed is not None:
-        axes.plot(*panel.needed, color=INK, linewidth=0.8, label="needed", zorder=3.2)
+        # What is driven shows through where a staircase makes a solid band of it
+        axes.plot(*panel.needed, color=INK, alpha=0.6, linewidth=0.8, label="needed", zorder=3.2)
     if panel.command is not None:
         _line(axes, s, panel.command, ORANGE, 1.0, "commanded")
     _line(axes, s, panel.values, BLUE, 1.4, "driven" if outcome.limits.kind == "ground" else "flown")

@@ -16,9 +16,11 @@ from planners.astar.settings import Length, SpeedSettings
 from planners.errors import InputError
 from planners.ground import Ground, ground_of
 from planners.kernel import Bools, Floats, Ints
-from planners.planner import NOT_FOUND, Plan
+from planners.path import Path
+from planners.planner import NOT_FOUND, Plan, Stage
 from planners.scenario import Scenario
 
+CAME = "as far as it came"  # the stage of a plan without a path
 PIXELS = 512  # on the larger side of the paper's maps
 
 
@@ -69,7 +71,7 @@ class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
     clearance: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] = 0.0
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
-        """The same path for every seed, its corners at the nodes.
+        """The same path for every seed, its corners at the nodes. Where it got stuck, a stage has the way it came.
 
         Raises `InputError` where a step is shorter than a pixel, and as `ground_of` does.
         """
@@ -78,7 +80,7 @@ class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
             return without_path(self.clearance)
         line = found.ground.to_metres(found.nodes)
         if not found.arrived:
-            return Plan(outcome=NOT_FOUND, reason=_stuck(line, found))
+            return Plan(outcome=NOT_FOUND, reason=_stuck(line, found), stages=_came(line, scenario, self.name))
         path = path_of(line, scenario, self.name)
         if scenario.max_range is not None and path.length > scenario.max_range:
             what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m, and it knows no other way"
@@ -126,11 +128,19 @@ def _cell(scenario: Scenario, cell: float | None) -> float:
     return max(scenario.size) / PIXELS if raster is None else raster.cell
 
 
+def _came(line: Floats, scenario: Scenario, name: str) -> tuple[Stage, ...]:
+    """The way to where the search ended; none where that is the start."""
+    if len(line) < 2:
+        return ()
+    way = np.vstack([scenario.starts[:1], line[1:]])
+    return (Stage(CAME, (Path(way, name=name, frame=scenario.map.frame),)),)
+
+
 def _stuck(line: Floats, found: Descent) -> str:
     """Where the search had no way on."""
     (x, y), steps = line[-1], len(line) - 1
     within = f"within {math.degrees(found.limit):.3g} deg of its heading" if steps else "on the whole circle about it"
     return (
-        f"at ({x:.1f}, {y:.1f}) m, after {steps} steps, no node {found.step:.3g} m on and {within} is free and new, "
-        "and greedy descent cannot go back"
+        f"at ({x:.1f}, {y:.1f}) m, after {steps} step{'' if steps == 1 else 's'}, no node {found.step:.3g} m on and "
+        f"{within} is free and new, and greedy descent cannot go back"
     )

@@ -1,15 +1,18 @@
 """Claims on plans for one speed stand by these, with what became of them when they were driven."""
 
 import json
+import math
 
 import pytest
 
 from campaigns.campaign import load_campaign
+from campaigns.claims import Claim
 from planners.all_planners import ALL_PLANNERS
 from planners.errors import InputError
+from planners.units import STANDARD_GRAVITY
 from reports.plan_driven import driven
 from reports.plan_rows import labels, plan_row
-from sample_planner import SCENARIO, SpeedArc
+from sample_planner import LATERAL, SCENARIO, SpeedArc
 from small_campaigns import InThisProcess, run_here, write_campaign
 
 CASE = """
@@ -56,9 +59,12 @@ def test_a_claim_stands_by_the_plans_for_its_speed_and_these_by_their_verdicts(t
     assert row["about"] == ""
     assert float(row["straight"][0]) == pytest.approx(fast.statistics.length.median / STRAIGHT, abs=1e-3)
     assert [claim["straight"] for claim in row["claims"]] == ["1.55"]
-    assert row["driven"] == {"share": "1 of 2", "why": "lateral acceleration", "all": False}
+    assert row["driven"] == [{"vehicle": "", "share": "1 of 2", "why": "lateral acceleration", "all": False}]
     told = json.loads((tmp_path / "out" / "summary.json").read_text())["plans"]
     assert [one["planned_for"] for one in told] == pytest.approx([30 / 3.6, 10.0])
+    assert [one["driven_at"] for one in told] == [one["planned_for"] for one in told]
+    assert [one["lateral_acceleration_needed"] for one in told] == pytest.approx([LATERAL] * 2, rel=1e-3)
+    assert row["needs"] == {"g": "0.408", "at": "", "over": False}
     assert [one["straight_length"] for one in told] == pytest.approx([STRAIGHT] * 2)
     assert (told[1]["claims"][0]["speed"], told[1]["claims"][0]["straight"]) == ("36km/h", 60.0)
 
@@ -66,11 +72,42 @@ def test_a_claim_stands_by_the_plans_for_its_speed_and_these_by_their_verdicts(t
 def test_plans_that_are_not_found_are_not_followed(tmp_path):
     finished = run_here(write_campaign(tmp_path, CASE + "set.most = 9\n"), tmp_path / "out")
     slow, fast = finished.plans
-    assert driven(slow, finished.results) == {"share": "1 of 1", "why": "", "all": True}
-    assert driven(fast, finished.results) == {"share": "0 of 1", "why": "no path", "all": False}
-    assert driven(fast, []) == {"share": "", "why": "", "all": True}
+    assert driven(slow, finished.results) == [{"vehicle": "", "share": "1 of 1", "why": "", "all": True}]
+    assert driven(fast, finished.results) == [{"vehicle": "", "share": "0 of 1", "why": "no path", "all": False}]
+    assert driven(fast, []) == []
+    assert (fast.driven_at, fast.needed) == (10.0, None)
+    assert plan_row(fast, "speed-arc, 36 km/h")["needs"] == {"g": "", "at": "", "over": False}
     assert labels(finished.plans) == ["speed-arc, 30 km/h", "speed-arc, 36 km/h"]
     assert plan_row(slow, "speed-arc, 30 km/h")["about"] == "most = 9"
+
+
+def test_trials_are_counted_by_vehicle_where_there_are_several(tmp_path):
+    loose = CASE.replace('"bend"\n', '"loose"\n', 1).replace('vehicle = "truck"', 'vehicle = "truck-dynamic"')
+    finished = run_here(write_campaign(tmp_path, STRICT + loose), tmp_path / "out")
+    assert [one["vehicle"] for one in driven(finished.plans[1], finished.results)] == ["truck", "truck-dynamic"]
+    strict, *_ = driven(finished.plans[1], finished.results)
+    assert strict == {"vehicle": "truck", "share": "0 of 1", "why": "lateral acceleration", "all": False}
+
+
+def test_a_plan_for_no_speed_is_judged_at_the_slowest_it_is_driven_at(tmp_path):
+    """A corner of d alone needs v d / 0.5 s; as a claim of that turn does."""
+    grid = CASE.replace("speed-arc", "astar-four")
+    claim = '\n[[claim]]\nplanner = "astar-four"\nsource = "paper"\nturn = 90.0\n'
+    (one,) = run_here(write_campaign(tmp_path, grid + claim), tmp_path / "out").plans
+    worst = 30.0 / 3.6 * (math.pi / 2) / 0.5
+    assert (one.planned_for, one.driven_at) == (None, pytest.approx(30.0 / 3.6))
+    assert one.needed == pytest.approx(worst)
+    row = plan_row(one, "astar-four")
+    assert row["needs"] == row["claims"][0]["needs"] == {"g": "2.67", "at": "at 30 km/h", "over": True}
+
+
+@pytest.mark.parametrize(("kmh", "turn", "g"), [(30, 36.0, 1.07), (45, 30.0, 1.33), (60, 18.0, 1.07)])
+def test_what_paper_004_claims_needs_far_more_than_its_limit(kmh, turn, g):
+    """Its Tables 3 and 4, beside its own 0.6 g."""
+    claim = Claim(planner="astar-arc-paper", source="paper", speed=f"{kmh}km/h", turn=turn)
+    assert claim.needed(1.0) / STANDARD_GRAVITY == pytest.approx(g, abs=5e-3)
+    assert Claim(planner="astar-arc-paper", source="paper", speed=f"{kmh}km/h").needed(1.0) is None
+    assert Claim(planner="exact", source="paper", turn=turn).needed(None) is None
 
 
 def test_one_speed_may_be_written_in_several_ways_and_a_vehicles_own_is_not_known_yet(tmp_path):

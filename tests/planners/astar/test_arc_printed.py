@@ -9,6 +9,7 @@ from planners.astar.arc_printed import descent_of
 from planners.astar.heading_limits import paper_heading_limit
 from planners.errors import InputError
 from planners.exact import Exact
+from planners.facts import facts_of
 from planners.planner import NOT_FOUND
 from planners.scenario import load_scenario
 from sample_maps import box, room, scenario
@@ -87,6 +88,12 @@ def test_a_wall_is_a_trap_where_another_way_is_free(kmh):
         in plan.reason
     )
     assert "greedy descent cannot go back" in plan.reason
+    (stage,) = plan.stages
+    assert (stage.name, len(stage.paths)) == ("as far as it came", 1)
+    assert (stage.paths[0].xy[0] == WALL.starts[0]).all()
+    assert stage.paths[0].xy[1:] == pytest.approx(found.ground.to_metres(found.nodes)[1:])
+    told = facts_of(plan, planner(kmh), WALL, 0)
+    assert (told.stages, told.lengths, told.length) == ((), (), None)
     assert Exact().plan(WALL, np.random.default_rng(0)).paths
 
 
@@ -96,6 +103,14 @@ def test_a_start_without_a_free_direction_says_so():
              box(62.0, 37.5, 0.5, 1.5), box(62.0, 41.0, 0.5, 1.5), box(63.0, 37.5, 0.5, 5.0)]  # fmt: skip
     plan = plan_with(planner(30.0), scenario(polygons=walls, start=(60.0, 40.0), unit=1.0), 0)
     assert "after 0 steps, no node 4.17 m on and on the whole circle about it" in plan.reason
+    assert plan.stages == ()
+
+
+def test_one_step_is_one_step():
+    """9 m before a wall, of which the step takes 8.33 m."""
+    plan = plan_with(planner(60.0), scenario(polygons=[box(55.0, 20.0, 4.0, 40.0)], start=(46.0, 40.0), unit=1.0), 0)
+    assert "after 1 step, no node 8.33 m on" in plan.reason
+    assert len(plan.stages[0].paths[0].xy) == 2
 
 
 def test_a_goal_within_a_step_is_driven_to_straight():
