@@ -235,7 +235,7 @@ def test_what_is_no_toml_and_what_is_not_there_are_refused(tmp_path):
     assert refused(tmp_path, HEAD + "[[case\n").startswith("it is not TOML")
     with pytest.raises(InputError, match="there is no such file"):
         load_campaign(str(tmp_path / "none.toml"))
-    with pytest.raises(InputError, match=r"there is no campaign 'quikstart'; choose quickstart"):
+    with pytest.raises(InputError, match=r"there is no campaign 'quikstart'; choose papers, quickstart"):
         load_campaign("quikstart")
 
 

@@ -144,7 +144,7 @@ def test_one_case_can_be_repeated_alone(tmp_path, capfd):
 
 @pytest.mark.usefixtures("here", "no_report")
 def test_notes_on_mission_files_are_told_once(capfd):
-    assert main(["run", "--case", "valley survey"]) == 0
+    assert main(["run", "quickstart", "--case", "valley survey"]) == 0
     assert capfd.readouterr().err.count("NAV_TAKEOFF") == 1
 
 
