@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar
 
 import msgspec
@@ -64,6 +65,18 @@ class Exact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def too_fine(area: Map) -> bool:
     """Whether the exact path takes too long where it is but a yardstick."""
     return area.raster is not None and len(raster_edges(area.raster)) > MOST_EDGES
+
+
+# A campaign compares many plans on a handful of maps.
+@lru_cache(maxsize=16)
+def exact_paths(scenario: Scenario, clearance: float) -> tuple[Path, ...]:
+    """The exact shortest paths that keep `clearance` [m], one a vehicle; none where none is or it takes too long.
+
+    Raises as `Exact.plan` does, and `TrackworthyError` where GEOS fails.
+    """
+    if too_fine(scenario.map):
+        return ()
+    return Exact(clearance=clearance).plan(scenario, np.random.default_rng(0)).paths
 
 
 def free_space(area: Map, clearance: float, ends: Floats) -> Any:

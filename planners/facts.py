@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 import msgspec
 import numpy as np
@@ -11,7 +10,7 @@ from msgspec.structs import replace
 
 from planners.clearance import clearance
 from planners.errors import TrackworthyError
-from planners.exact import Exact, too_fine
+from planners.exact import exact_paths
 from planners.footprint import Disc
 from planners.kernel import Floats
 from planners.path import Path
@@ -118,21 +117,17 @@ def _with_paths(facts: PlanFacts, plan: Plan, planner: Planner, scenario: Scenar
     )
 
 
-# A campaign compares many plans on a handful of maps.
-@lru_cache(maxsize=16)
 def exact_length(scenario: Scenario, clearance: float, count: int = 1) -> float | None:
     """Length [m] of the shortest path that keeps `clearance` [m], of a fleet the sum.
 
     None where there is none, GEOS fails, or it serves not just `count` aircraft: sums over others do not compare. None
     as well on a map that is too fine for it.
     """
-    if too_fine(scenario.map):
-        return None
     try:
-        plan = Exact(clearance=clearance).plan(scenario, np.random.default_rng(0))
+        paths = exact_paths(scenario, clearance)
     except TrackworthyError:
         return None
-    return sum(path.length for path in plan.paths) if len(plan.paths) == count else None
+    return sum(path.length for path in paths) if len(paths) == count else None
 
 
 def _known(values: Floats) -> tuple[float | None, ...]:

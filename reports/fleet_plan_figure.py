@@ -11,13 +11,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
+from planners.exact import exact_paths
 from planners.path import Path
 from planners.planner import History, Plan
 from planners.scenario import Scenario
 from reports.extent import Extent
 from reports.fleet_map import FREE_START, FREE_TARGET, draw_ends, end_entries, member_colours
 from reports.layout import LEFT, RIGHT, Box
-from reports.plan_map import draw_hazards, label_ground, shortest, total, whole_map
+from reports.plan_map import draw_hazards, label_ground, total, whole_map
 from reports.plan_turn import draw_exact, sharpest
 from reports.quantity import number, text
 from reports.style import DASHES, INK, MUTED, WIDTH, new_figure, place
@@ -34,7 +35,7 @@ _PATH = 0.2  # [in] of a line about a path
 
 def fleet_plan_figure(scenario: Scenario, name: str, plan: Plan, clearance: float) -> Figure:
     """The plan called `name` beside the exact shortest paths that keep `clearance` [m]: within `style.style()`."""
-    exact, view = shortest(scenario, clearance), whole_map(scenario)
+    exact, view = exact_paths(scenario, clearance), whole_map(scenario)
     lines = [
         f"{name}: {plan_words(scenario, plan, exact)}",
         *_limit_words(scenario, plan),

@@ -10,13 +10,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
+from planners.exact import exact_paths
 from planners.path import Path as PlannedPath
 from planners.planner import Plan
 from planners.scenario import Scenario
 from reports.fleet_plan_figure import fleet_plan_figure
 from reports.layout import LEFT, RIGHT, Box
 from reports.needed_panel import WITHIN, draw_beyond, draw_worst, needed_entries
-from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, shortest, total, whole_map
+from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, total, whole_map
 from reports.plan_rows import is_fleet
 from reports.plan_search import draw_search
 from reports.plan_turn import came_entries, draw_came, draw_exact, draw_lines, draw_turn, turn_view
@@ -59,7 +60,7 @@ def plan_figure(
 ) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     colours = colours_of(plans) if speed is None else dict.fromkeys(plans, WITHIN)
-    exact, view = shortest(scenario, clearance), whole_map(scenario)
+    exact, view = exact_paths(scenario, clearance), whole_map(scenario)
     turns = [name for name, plan in plans.items() if plan.paths][:_MOST_TURNS]
     histories = {name: plan.history for name, plan in plans.items() if plan.history is not None}
     told = {

@@ -6,11 +6,9 @@ from collections.abc import Iterable, Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING
 
-import numpy as np
 from matplotlib.lines import Line2D
 from shapely import box
 
-from planners.exact import Exact, too_fine
 from planners.path import Path
 from planners.scenario import Scenario
 from reports.extent import Extent
@@ -41,13 +39,6 @@ def whole_map(scenario: Scenario) -> Extent:
     """The map with a little around it."""
     view = Extent(0.0, 0.0, *scenario.size)
     return view.grown(_MARGIN * view.larger)
-
-
-def shortest(scenario: Scenario, clearance: float) -> tuple[Path, ...]:
-    """The exact shortest paths that keep `clearance` [m], one a vehicle; none where none is or it takes too long."""
-    if too_fine(scenario.map):
-        return ()
-    return Exact(clearance=clearance).plan(scenario, np.random.default_rng(0)).paths
 
 
 def total(paths: Sequence[Path]) -> float | None:
