@@ -73,7 +73,7 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         """
         only_pair(scenario, self.name)
         start, goal = fleet_ends(scenario, self.clearance, self.name)
-        room, body = room_of(scenario, self._cell(scenario)), body_of(self)
+        room, body = room_of(scenario, self._cell_side(scenario)), body_of(self)
         found = self._search(room, body, start - room.origin, goal - room.origin)
         if isinstance(found, Plan):
             return found
@@ -97,8 +97,9 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         if scenario.max_range is not None and path.length > scenario.max_range:
             what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m"
             return Plan(outcome=NOT_FOUND, reason=what)
-        curvature = self.curvature(self.lateral) if path is arcs else bounds.curvature
-        return Plan(paths=(path,), polylines=(arcs,), stages=stages, notes=notes, smallest_radius=1.0 / curvature)
+        return Plan(
+            paths=(path,), polylines=(arcs,), stages=stages, notes=notes, smallest_radius=_smallest_radius(path)
+        )
 
     def _search(self, room: Room, body: Body, start: Floats, goal: Floats) -> Floats | Plan:
         """Points (N, 2) on the arcs from `start` to `goal` (2,) [m from the grid's corner], or why there are none."""
@@ -147,7 +148,7 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         body = Rectangle(self.length, self.width, self.length / 2.0 - self.overhang)
         return bool(clearance(scenario.map, np.column_stack(poses), body).min() < 0.0)
 
-    def _cell(self, scenario: Scenario) -> float:
+    def _cell_side(self, scenario: Scenario) -> float:
         """The side [m] of the cells: that of the map's picture, else as fine as the body asks for and time allows."""
         if self.cell is not None:
             return self.cell * scenario.unit
@@ -180,6 +181,13 @@ def _path(points: Floats, room: Room, scenario: Scenario) -> Path:
     xy = np.round(points + room.origin, 6)
     xy[0], xy[-1] = scenario.starts[0], scenario.goals[0]
     return Path(xy, name=scenario.name, frame=scenario.map.frame)
+
+
+def _smallest_radius(path: Path) -> float:
+    """That of the tightest curve [m]: legs over the turn between them; inf for a straight path."""
+    legs = np.diff(path.s)
+    curvature = np.abs(path.turns[1:-1]) / (0.5 * (legs[1:] + legs[:-1]))
+    return 1.0 / float(curvature.max()) if curvature.any() else math.inf
 
 
 def _ways_home(room: Room, least: float, goal: Floats) -> tuple[Floats, float]:
