@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Annotated
 
 import msgspec
@@ -14,6 +13,7 @@ from planners.all_planners import make_planner
 from planners.astar.heading_limits import STEP_TIME
 from planners.astar.settings import planned_speed
 from planners.errors import InputError
+from planners.scenario import stem_of
 from planners.typed_toml import suggestion
 from planners.units import parse_speed
 
@@ -75,7 +75,7 @@ def check_claims(claims: Sequence[Claim], cases: Sequence[Case], file: str) -> N
         if claim.planner not in known:
             remedy = suggestion(claim.planner, known) if known else "add a case with that planner"
             raise InputError(f"{file}: claim[{i}]", f"no case plans with {claim.planner!r}", remedy)
-        on = sorted({Path(case.scenario).stem for case in cases if case.planner == claim.planner and case.scenario})
+        on = sorted({stem_of(case.scenario) for case in cases if case.planner == claim.planner and case.scenario})
         if claim.scenario and claim.scenario not in on:
             what = f"no case plans on {claim.scenario!r} with {claim.planner}"
             raise InputError(f"{file}: claim[{i}]", what, suggestion(claim.scenario, on))

@@ -32,6 +32,8 @@ def expanded(block: dict[str, Any], place: str, into: type[T]) -> list[T]:
     for combination, chosen in _combinations(block, place):
         one = convert(combination, into, place)
         stem = one.name or (Path(combination["path"]).stem if combination.get("path") else stem_of(one.scenario or ""))
+        if not stem:
+            raise InputError(place, "it has neither a path nor a scenario", "add path = ..., or planner and scenario")
         name = " ".join([stem, *_words(chosen, said)])
         found.append(msgspec.structs.replace(one, name=name))
     return found

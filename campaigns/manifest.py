@@ -21,7 +21,7 @@ from tracking.metric import SCHEMA_VERSION
 
 STORE_VERSION = 1  # of the folder's layout and its tables
 # Packages that decide results
-DECIDING = ("jsbsim", "highway-env", "numpy", "scipy", "numba", "shapely", "pyproj", "scikit-image")
+DECIDING = ("jsbsim", "highway-env", "numpy", "scipy", "numba", "shapely", "pyproj", "scikit-image", "pillow", "piqp")
 OWN = ("planners", "sim", "tracking", "campaigns")
 HOME = Path(__file__).parents[1]
 

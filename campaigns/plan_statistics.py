@@ -21,7 +21,7 @@ from planners.needed import lateral_acceleration_needed
 from planners.outside import OutsidePlanner
 from planners.path import Path as PlannedPath
 from planners.planner import Planner
-from planners.scenario import Scenario
+from planners.scenario import Scenario, stem_of
 from planners.units import parse_speed
 
 FAILED = "failed"  # of a plan whose planner did
@@ -148,7 +148,7 @@ def planned_by(cases: Sequence[ReadyCase], claims: Sequence[Claim], folder: Path
         facts = [plan.told(folder) for plan in group.values()]
         flown = flying[scenario, planner]
         case = next(iter(flown.values())).case
-        here = ("", Path(case.scenario or "").stem)
+        here = ("", stem_of(case.scenario or ""))
         own = [
             (i, scenario if claim.scenario else None) for i, claim in enumerate(claims)
             if claim.planner == planner.name and claim.scenario in here and claim.holds_for(planned_speed(planner))

@@ -101,8 +101,8 @@ class SpeedSearch(_Search, frozen=True, forbid_unknown_fields=True, kw_only=True
 
     @property
     def planned_for(self) -> float | None:
-        """The speed [m/s] that the path is planned for, of a settled search; None where it is not known."""
-        speed = self.set.get("speed", self.speed)
+        """The speed [m/s] that the path is planned for, of a settled search; None where it is not known, or none."""
+        speed = self.speed if self.planner is None else self.set.get("speed")
         return None if speed is None else float(speed)
 
     @property

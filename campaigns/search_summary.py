@@ -8,6 +8,7 @@ from pathlib import Path
 from campaigns.search import ScaleSearch, SpeedSearch
 from campaigns.search_steps import Step
 from campaigns.searches import SearchResult
+from planners.scenario import stem_of
 from planners.units import degrees
 
 Json = dict[str, "Json"] | list["Json"] | str | float | int | bool | None
@@ -25,7 +26,7 @@ def _scale(result: SearchResult, search: ScaleSearch) -> Json:
     at, (width, height) = result.found.at, result.size or (0.0, 0.0)
     return {
         "name": search.name,
-        "scenario": Path(search.scenario).stem,
+        "scenario": stem_of(search.scenario),
         "planner": search.planner,
         "vehicle": search.vehicle,
         "controller": search.controller,
@@ -44,7 +45,7 @@ def _speed(result: SearchResult, search: SpeedSearch) -> Json:
     return {
         "name": search.name,
         "path": Path(search.path).name or None,
-        "scenario": None if search.scenario is None else Path(search.scenario).stem,
+        "scenario": None if search.scenario is None else stem_of(search.scenario),
         "planner": search.planner,
         "vehicle": search.vehicle,
         "controller": search.controller,

@@ -9,6 +9,7 @@ import msgspec
 
 from campaigns.case import Case
 from campaigns.conditions import CALM, ConditionKeys
+from planners.scenario import stem_of
 
 PLAN_SEED_BITS = 31
 SEED_BITS = 53  # so that every reader of JSON holds it exactly
@@ -44,7 +45,7 @@ def plan_seed(campaign_seed: int, case: Case, trial: int | None = None) -> int:
 
 def _scenario(case: Case) -> str:
     """By name, not by content or place: a scenario that is corrected or moved keeps its weather."""
-    return Path(case.scenario or "").stem
+    return stem_of(case.scenario or "")
 
 
 def _stated(conditions: ConditionKeys) -> dict[str, object]:

@@ -17,10 +17,10 @@ from planners.scenario import Scenario
 GAP = 1e-10  # [largest coordinates] by which rounding may move a place
 
 
-def fleet_ends(scenario: Scenario, keep: float, planner: str) -> Floats:
+def fleet_ends(scenario: Scenario, keep: float, planner: str, or_else: str = "give less clearance") -> Floats:
     """All starts, then all goals (S + G, 2) [m], each at least `keep` [m] from what is forbidden.
 
-    Raises `InputError` for one that is nearer, and for a start that is a goal.
+    Raises `InputError` for one that is nearer, with what to do `or_else`, and for a start that is a goal.
     """
     if not math.isfinite(keep):
         raise InputError(f"planner {planner}: clearance", f"{keep} m is not possible", "give a finite number")
@@ -38,7 +38,7 @@ def fleet_ends(scenario: Scenario, keep: float, planner: str) -> Floats:
             what = f"is {depth:.3g} m deep in what is forbidden"
             if depth <= 0.0:
                 what = f"is {keep - lack:.3g} m from what is forbidden, nearer than the clearance of {keep:g} m"
-            remedy = "move it to free ground" + (", or give less clearance" if keep else "")
+            remedy = "move it to free ground" + (f", or {or_else}" if keep else "")
             raise InputError(f"{scenario.name}: {_end_name(scenario, i)}", f"{end.tolist()} m {what}", remedy)
     return ends
 

@@ -31,7 +31,7 @@ def rows(facts: PlanFacts) -> list[tuple[str, str, str]]:
     lengths = [
         ("sum of the paths" if fleet else "length", facts.length),
         ("exact shortest sum" if fleet else "exact shortest path", facts.exact_length),
-        ("before smoothing", facts.polyline_length),
+        ("before smoothing", None if facts.polyline_length == facts.length else facts.polyline_length),
         ("smallest radius", facts.smallest_radius),
         ("clearance", facts.clearance_min),
     ]

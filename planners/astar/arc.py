@@ -40,7 +40,7 @@ Heading = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
 
 
 class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A* over position and heading, whose steps are arcs that the vehicle can drive with its body.
+    """A* over position and heading, complete up to its cells, by arcs that the vehicle can drive with its body.
 
     A step lasts from one steering action to the next (or to that after it, and so on, where the wheels are too slow for
     one of the turns meanwhile, or the map is large), and its curvature keeps to `lateral`, to the steering's limit and
@@ -63,8 +63,8 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
 
     @property
     def clearance(self) -> float:
-        """The reference point's distance [m] to the nearest side of the body; 0 where it is not in it."""
-        return max(0.0, min(self.width / 2.0, self.overhang, self.length - self.overhang))
+        """The reference point's distance [m] to the nearest side of the body."""
+        return min(self.width / 2.0, self.overhang, self.length - self.overhang)
 
     def plan(self, scenario: Scenario, rng: np.random.Generator) -> Plan:
         """The same path for every seed.
@@ -72,37 +72,54 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         Raises `InputError` for a scenario with more than one start or goal.
         """
         only_pair(scenario, self.name)
-        start, goal = fleet_ends(scenario, self.clearance, self.name)
+        start, goal = fleet_ends(scenario, self.clearance, self.name, "set a smaller width, length and overhang")
         room, body = room_of(scenario, self._cell_side(scenario)), body_of(self)
-        found = self._search(room, body, start - room.origin, goal - room.origin)
-        if isinstance(found, Plan):
-            return found
-        arcs = _path(found, room, scenario)
-        if self._touches(arcs.xy, scenario):
-            what = f"on the arcs found the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
+        paths: list[Path] = []
+        # Where no smooth path lies near the arcs, those that keep to its own bound may have one
+        for lateral in dict.fromkeys((self.lateral, min(self.lateral, self.smooth_lateral))):
+            found = self._search(room, body, start - room.origin, goal - room.origin, lateral)
+            if isinstance(found, Plan):
+                if not paths:
+                    return found
+                break
+            arcs = _path(found, room, scenario)
+            if self._touches(arcs, scenario):
+                what = f"the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
+                return Plan(outcome=NOT_FOUND, reason=f"on the arcs found {what}")
+            smooth = self._smooth(found, room, body, scenario)
+            paths = [arcs, smooth] if smooth is not None else paths or [arcs]
+            if smooth is not None:
+                break
+        path = paths[-1]
+        if scenario.max_range is not None and path.length > scenario.max_range:
+            what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m"
             return Plan(outcome=NOT_FOUND, reason=what)
+        kept = f"{self.smooth_lateral:g} g and {self.smooth_rate:g} deg/s of the wheels, clear of everything"
+        return Plan(
+            paths=(path,),
+            polylines=(paths[0],),
+            stages=tuple(Stage(name, (one,)) for name, one in zip((ARCS, SMOOTH), paths, strict=False)),
+            notes=() if len(paths) > 1 else (f"no path near the arcs keeps to {kept}: they are left as they are",),
+            smallest_radius=_smallest_radius(path),
+        )
+
+    def _smooth(self, points: Floats, room: Room, body: Body, scenario: Scenario) -> Path | None:
+        """The smooth path near arcs through `points` (N, 2) [m from the grid's corner]; None where none is found."""
         bounds = Bounds(
             self.curvature(self.smooth_lateral), self.curvature_rate(self.smooth_rate), self.margin,
             _radians(self.start_heading), _radians(self.goal_heading),
         )  # fmt: skip
-        stages: tuple[Stage, ...] = (Stage(ARCS, (arcs,)),)
-        notes: tuple[str, ...] = ()
-        points = smoothed(found, max(self.step / STATIONS, NEAREST), room, body, bounds)
-        if points is None or self._touches(points + room.origin, scenario):
-            what = f"no path near the arcs keeps to {self.smooth_lateral:g} g and clear, so they are left as they are"
-            path, notes = arcs, (what,)
-        else:
-            path = _path(points, room, scenario)
-            stages = (*stages, Stage(SMOOTH, (path,)))
-        if scenario.max_range is not None and path.length > scenario.max_range:
-            what = f"its {path.length:.6g} m exceed the range of {scenario.max_range:.6g} m"
-            return Plan(outcome=NOT_FOUND, reason=what)
-        return Plan(
-            paths=(path,), polylines=(arcs,), stages=stages, notes=notes, smallest_radius=_smallest_radius(path)
-        )
+        smooth = smoothed(points, max(self.step / STATIONS, NEAREST), room, body, bounds)
+        if smooth is None:
+            return None
+        path = _path(smooth, room, scenario)
+        return None if self._touches(path, scenario) else path
 
-    def _search(self, room: Room, body: Body, start: Floats, goal: Floats) -> Floats | Plan:
-        """Points (N, 2) on the arcs from `start` to `goal` (2,) [m from the grid's corner], or why there are none."""
+    def _search(self, room: Room, body: Body, start: Floats, goal: Floats, lateral: float) -> Floats | Plan:
+        """Points (N, 2) on arcs within `lateral` [g] from `start` to `goal` (2,), or why there are none.
+
+        All in metres from the grid's corner.
+        """
         radius = body.radius + self.margin
         home, home_cell = _ways_home(room, radius - float(np.abs(body.along).min()), goal)
         if not math.isfinite(home[_cell(home, start, home_cell)]):
@@ -124,27 +141,24 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
             last, looked, nodes, parents = search(
                 room.field, room.cell, room.size, body.along, radius, body.middle, body.around + self.margin,
                 home, home_cell, starts, goal, FREE_HEADING if goal_heading is None else goal_heading,
-                step, self.curvature(self.lateral), self.curvature_rate(self.steering_rate) * step,
+                step, self.curvature(lateral), self.curvature_rate(self.steering_rate) * step,
                 seen, pose_cell, slack, most,
             )  # fmt: skip
             if last != MOST:
                 break
         if last < 0:
-            ended = (
-                f"{self.most} poses were looked at, the `most`" if last == MOST else f"none of {looked} poses leads on"
-            )
-            what = (
-                f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {self.lateral:g} g was found: {ended}"
-            )
+            ended = f"{self.most} poses were looked at, the `most`"
+            if last != MOST:
+                ended = f"no pose that can be reached leads on, of {looked} looked at"
+            what = f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {lateral:g} g was found: {ended}"
             return Plan(outcome=NOT_FOUND, reason=what)
         return _drawn(last, nodes, parents)
 
-    def _touches(self, points: Floats, scenario: Scenario) -> bool:
-        """Whether the body touches anything along `points` (N, 2) [m], by its exact rectangle."""
-        s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
-        east, north = np.gradient(points, axis=0).T
-        at = np.linspace(0.0, s[-1], math.ceil(s[-1] / DRAWN) + 1)
-        poses = [np.interp(at, s, values) for values in (*points.T, np.unwrap(np.arctan2(north, east)))]
+    def _touches(self, path: Path, scenario: Scenario) -> bool:
+        """Whether the body touches anything along `path`, by its exact rectangle."""
+        east, north = np.gradient(path.xy, axis=0).T
+        at = np.linspace(0.0, path.length, math.ceil(path.length / DRAWN) + 1)
+        poses = [np.interp(at, path.s, values) for values in (*path.xy.T, np.unwrap(np.arctan2(north, east)))]
         body = Rectangle(self.length, self.width, self.length / 2.0 - self.overhang)
         return bool(clearance(scenario.map, np.column_stack(poses), body).min() < 0.0)
 

@@ -99,7 +99,8 @@ def linearised(points: Floats, room: Room, body: Body, bounds: Bounds, near: flo
 def best_shifts(path: Linear, trust: float) -> Floats:
     """Shifts (N,) [m] of the points, up to `trust` each, of the shortest path within the linear bounds.
 
-    What stands for length is the sum of the legs' squares over their mean.
+    None of them moves where the solver finds no such shifts. What stands for length is the sum of the legs' squares
+    over their mean.
     """
     import piqp  # here, for most of what imports planners solves none
 
@@ -121,7 +122,8 @@ def best_shifts(path: Linear, trust: float) -> Floats:
     solver = piqp.SparseSolver()
     solver.settings.eps_abs = solver.settings.eps_rel = ACCURACY
     solver.setup(cost, np.concatenate([gradient, PRICES]), None, None, path.rows, None, path.right, least, greatest)
-    solver.solve()
+    if solver.solve() != piqp.PIQP_SOLVED:
+        return np.zeros(n + 2)
     return np.concatenate([[0.0], np.asarray(solver.result.x)[:n], [0.0]])
 
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from planners.astar.truck_settings import TruckSettings
+from planners.ground import grid_of
 from planners.kernel import Floats
-from planners.occupancy import clearance_field, extent, occupancy
+from planners.occupancy import clearance_field
 from planners.scenario import Scenario
 
 HALF_DIAGONAL = math.sqrt(0.5)
@@ -44,15 +45,14 @@ class Body:
 
 
 def room_of(scenario: Scenario, cell: float) -> Room:
-    """The room on cells of `cell` [m].
+    """The room on cells of `cell` [m]; raises `InputError` for a grid beyond all memory.
 
     An obstacle lies somewhere in its blocked cell, half a diagonal at most from the centre: less that, it is safe.
     """
-    area = scenario.map
-    x_min, y_min, x_max, y_max = area.bounds or extent(area)
-    field = clearance_field(occupancy(area, cell), beyond=area.edge == "closed")
-    field = np.minimum(field, math.hypot(x_max - x_min, y_max - y_min)) - HALF_DIAGONAL * cell
-    return Room(field, cell, np.array([x_min, y_min]), np.array([x_max - x_min, y_max - y_min]))
+    grid = grid_of(scenario, scenario.map, cell)
+    field = clearance_field(grid, beyond=scenario.map.edge == "closed")
+    field = np.minimum(field, math.hypot(*scenario.size)) - HALF_DIAGONAL * cell
+    return Room(field, cell, np.array([grid.x, grid.y]), np.array(scenario.size))
 
 
 def body_of(settings: TruckSettings) -> Body:

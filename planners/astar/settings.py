@@ -7,10 +7,12 @@ from typing import Annotated
 import msgspec
 from msgspec.structs import replace
 
+from planners.errors import InputError
 from planners.planner import Planner
 from planners.units import parse_speed
 
 DEFAULT_SPEED = 45.0 / 3.6  # [m/s]
+FASTEST = 400.0  # [m/s] the land speed record is 341 m/s
 
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
 
@@ -21,8 +23,8 @@ class SpeedSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_
     speed: str | float | None = None
 
     def __post_init__(self) -> None:
-        if self.speed is not None:
-            parse_speed(self.speed, "set.speed")
+        if self.speed is not None and parse_speed(self.speed, "set.speed") > FASTEST:
+            raise InputError("set.speed", f"{self.speed} is faster than any vehicle on the ground", "give less")
 
     @property
     def planned_speed(self) -> float:

@@ -8,10 +8,10 @@ from typing import Annotated
 import msgspec
 
 from planners.astar.heading_limits import LATERAL, STEP_TIME, curvature_limit
-from planners.astar.settings import SpeedSettings
+from planners.astar.settings import Length, SpeedSettings
+from planners.errors import InputError
 from planners.units import STANDARD_GRAVITY
 
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
 Angle = Annotated[float, msgspec.Meta(gt=0.0, lt=90.0)]
 Share = Annotated[float, msgspec.Meta(gt=0.0, le=2.0)]
 
@@ -31,6 +31,12 @@ class TruckSettings(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
     lateral: Share = LATERAL
     steering_limit: Angle = 45.0
     steering_rate: Annotated[float, msgspec.Meta(gt=0.0, le=1000.0)] = 30.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.overhang > self.length:
+            what = f"{self.overhang:g} m are longer than the body of {self.length:g} m"
+            raise InputError("overhang", what, "give how far it reaches behind the rear axle")
 
     @property
     def step(self) -> float:

@@ -187,10 +187,18 @@ def test_where_half_a_g_is_too_little_the_arcs_are_left_as_they_are():
     assert "no path near the arcs keeps to 0.5 g" in plan.notes[0]
     assert plan.paths[0] is plan.stages[0].paths[0]
     assert clearance(lane.map, dense(plan.paths[0]), TRUCK).min() >= 0.0
-    # Of the points drawn on them, half a metre apart: a chord is shorter than its arc by 1e-5, and where arcs meet, legs differ
+    # Of points half a metre apart on them; where two arcs meet, the legs differ
     assert plan.smallest_radius == pytest.approx((45.0 / 3.6) ** 2 / (0.6 * STANDARD_GRAVITY), rel=5e-4)
     wide = planned(hairpin(33.0, 5.0), 45.0)
     assert [stage.name for stage in wide.stages] == ["arcs", "smooth"]
+
+
+def test_where_no_smooth_path_is_near_the_arcs_others_are_searched():
+    """At 0.6 g an S-bend is sharper than any at 0.5 g that leads to the same pose."""
+    field = scenario(start=(10.0, 40.0), goal=(110.0, 40.0), unit=2.5)
+    plan = planned(field, 60.0, start_heading=0.0, goal_heading=60.0)
+    assert ([stage.name for stage in plan.stages], plan.notes) == (["arcs", "smooth"], ())
+    assert np.abs(curvatures(plan.paths[0])).max() <= 1.001 * 0.5 * STANDARD_GRAVITY / (60.0 / 3.6) ** 2
 
 
 def test_a_pocket_too_narrow_to_turn_in_gives_nothing():
@@ -199,7 +207,7 @@ def test_a_pocket_too_narrow_to_turn_in_gives_nothing():
     pocket = scenario(polygons=walls, start=(65.0, 40.0), goal=(110.0, 40.0), unit=1.0)
     plan = planned(pocket, 30.0, start_heading=0.0)
     assert plan.outcome == NOT_FOUND
-    assert "poses leads on" in plan.reason
+    assert "no pose that can be reached leads on" in plan.reason
     assert planned(pocket, 30.0, start_heading=180.0).paths
 
 
@@ -252,11 +260,12 @@ def test_bad_settings_are_one_line_and_exit_code_2(capsys, setting, what):
     assert shown.err.count("\n") == 1
 
 
-def test_clearance_is_the_reference_points_and_none_where_it_is_outside_of_the_body():
+def test_clearance_is_that_of_the_reference_point_which_is_in_the_body():
     assert AstarArc().clearance == 1.25
     assert AstarArc(overhang=0.5).clearance == 0.5
     assert AstarArc(overhang=6.5).clearance == 0.5
-    assert AstarArc(overhang=9.0).clearance == 0.0
+    with pytest.raises(InputError, match=r"overhang: 9 m are longer than the body of 7 m"):
+        AstarArc(overhang=9.0)
 
 
 def test_an_arrival_straight_ahead_is_looked_at_like_any_other():
