@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from grid_maps import on_cells
-from planners import facts
 from planners.all_planners import make_planner, plan_with
 from planners.errors import TrackworthyError
+from planners.exact import Exact
 from planners.facts import PlanFacts, exact_length, facts_of, turn_angle
 from planners.path import Path
 from planners.planner import NO_PATH
@@ -57,7 +57,7 @@ def test_a_yardstick_that_fails_costs_no_plan(monkeypatch):
     def fails(*_):
         raise TrackworthyError("rounding")
 
-    monkeypatch.setattr(facts.Exact, "plan", fails)
+    monkeypatch.setattr(Exact, "plan", fails)
     assert exact_length(scenario(), 7.0 * UNIT) is None
 
 
