@@ -14,10 +14,12 @@ from planners.inflate import inflated
 from planners.kernel import Bools, Floats
 from planners.map import Map
 from planners.occupancy import Grid, extent, occupancy
-from planners.planner import only_pair
+from planners.path import Path
+from planners.planner import NO_PATH, Plan, only_pair
 from planners.scenario import Scenario
 
 MOST_CELLS = 50_000_000
+PIXELS = 512  # on the larger side of a map that is no picture: as many as paper 004's maps have
 HALVINGS = 6  # of a cell, at most, until obstacles cover enough of their cells
 
 
@@ -77,6 +79,28 @@ def grid_of(scenario: Scenario, area: Map, cell: float) -> Grid:
         what = f"cells of {cell:g} m make a grid of more than {MOST_CELLS / 1e6:g} million"
         raise InputError(scenario.name, what, "give larger cells")
     return occupancy(area, cell, (0.0, 0.0, width, height))
+
+
+def without_path(clearance: float) -> Plan:
+    """The answer where a flood fill does not reach the goal."""
+    what = f"no free cells lead from the start to the goal with {clearance:g} m of clearance"
+    return Plan(outcome=NO_PATH, reason=what)
+
+
+def path_of(points: Floats, scenario: Scenario, name: str) -> Path:
+    """The line (N, 2) [m] as a path from the very start to the very goal of the scenario."""
+    apart = np.concatenate([[True], (np.diff(points, axis=0) != 0.0).any(axis=1)])
+    points = points[apart]
+    points[0], points[-1] = scenario.starts[0], scenario.goals[0]
+    return Path(points, name=name, frame=scenario.map.frame)
+
+
+def pixel(scenario: Scenario, cell: float | None) -> float:
+    """The side [m] of `cell` [map units]; None for that of the map's picture, or 1/`PIXELS` of its larger side."""
+    if cell is not None:
+        return cell * scenario.unit
+    raster = scenario.map.raster
+    return max(scenario.size) / PIXELS if raster is None else raster.cell
 
 
 def cover_ratio(area: Map, cell: float) -> float:

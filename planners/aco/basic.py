@@ -9,10 +9,10 @@ import numpy as np
 
 from planners.aco.basic_kernels import lay_on_ways, walk_basic
 from planners.aco.colony import search
-from planners.aco.finish import finished, without_path
+from planners.aco.finish import finished
 from planners.aco.roulette_kernels import dice
 from planners.aco.settings import ColonySettings, Count, Positive, Share
-from planners.ground import ground_of
+from planners.ground import ground_of, without_path
 from planners.kernel import Floats
 from planners.planner import Plan
 from planners.scenario import Scenario

@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from planners.aco.colony import Found
-from planners.ground import Ground
-from planners.kernel import Floats
-from planners.path import Path
-from planners.planner import NO_PATH, NOT_FOUND, Plan
+from planners.ground import Ground, path_of
+from planners.planner import NOT_FOUND, Plan
 from planners.rounding import Rounded, rounded, taut
 from planners.scenario import Scenario
-
-
-def without_path(clearance: float) -> Plan:
-    """The answer where a flood fill does not reach the goal."""
-    what = f"no free cells lead from the start to the goal with {clearance:g} m of clearance"
-    return Plan(outcome=NO_PATH, reason=what)
 
 
 def not_found(found: Found, keeping: str = "") -> Plan:
@@ -44,14 +34,6 @@ def finished(found: Found, ground: Ground, scenario: Scenario, name: str, tight:
         smallest_radius=smooth.smallest_radius,
         history=found.history,
     )
-
-
-def path_of(points: Floats, scenario: Scenario, name: str) -> Path:
-    """The line (N, 2) [m] as a path from the very start to the very goal of the scenario."""
-    apart = np.concatenate([[True], (np.diff(points, axis=0) != 0.0).any(axis=1)])
-    points = points[apart]
-    points[0], points[-1] = scenario.starts[0], scenario.goals[0]
-    return Path(points, name=name, frame=scenario.map.frame)
 
 
 def tight_notes(smooth: Rounded, radius: float) -> tuple[str, ...]:

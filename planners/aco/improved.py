@@ -9,12 +9,12 @@ import numpy as np
 from scipy.ndimage import maximum_filter
 
 from planners.aco.colony import Found, search
-from planners.aco.finish import finished, without_path
+from planners.aco.finish import finished
 from planners.aco.pheromone import Pheromone
 from planners.aco.roulette_kernels import dice
 from planners.aco.settings import Count, RingSettings, Share
 from planners.aco.walk_kernels import prune, ring, walk
-from planners.ground import Ground, cell_for_cover, ground_of
+from planners.ground import Ground, cell_for_cover, ground_of, without_path
 from planners.kernel import Floats
 from planners.planner import Plan
 from planners.scenario import Scenario

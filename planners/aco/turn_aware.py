@@ -8,13 +8,13 @@ from typing import ClassVar
 import numpy as np
 
 from planners.aco.colony import Found, search
-from planners.aco.finish import not_found, path_of, without_path
+from planners.aco.finish import not_found
 from planners.aco.pheromone import Pheromone
 from planners.aco.roulette_kernels import dice
 from planners.aco.settings import Count, RingSettings
 from planners.aco.turn_kernels import prune_turning, walk_turning
 from planners.aco.walk_kernels import ring
-from planners.ground import Ground, ground_of
+from planners.ground import Ground, ground_of, path_of, without_path
 from planners.kernel import Floats
 from planners.occupancy import Grid, clearance_field
 from planners.planner import NOT_FOUND, Plan

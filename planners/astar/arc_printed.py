@@ -9,19 +9,17 @@ from typing import Annotated, ClassVar
 import msgspec
 import numpy as np
 
-from planners.aco.finish import path_of, without_path
 from planners.astar.arc_printed_kernels import CIRCLE, SPACING, descend, sector
 from planners.astar.heading_limits import STEP_TIME, paper_heading_limit
 from planners.astar.settings import Length, SpeedSettings
 from planners.errors import InputError
-from planners.ground import Ground, ground_of
+from planners.ground import Ground, ground_of, path_of, pixel, without_path
 from planners.kernel import Bools, Floats, Ints
 from planners.path import Path
 from planners.planner import NOT_FOUND, Plan, Stage
 from planners.scenario import Scenario
 
 CAME = "as far as it came"  # the stage of a plan without a path
-PIXELS = 512  # on the larger side of the paper's maps
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,7 +88,7 @@ class AstarArcPaper(SpeedSettings, frozen=True, forbid_unknown_fields=True, kw_o
 
 def descent_of(scenario: Scenario, planner: AstarArcPaper) -> Descent | None:
     """The search itself; None where no free pixels lead from the start to the goal."""
-    cell = _cell(scenario, planner.cell)
+    cell = pixel(scenario, planner.cell)
     step, limit = planner.planned_speed * STEP_TIME, paper_heading_limit(planner.planned_speed)
     if step < cell:
         what = f"a step of {step:.3g} m is shorter than a cell of {cell:.3g} m"
@@ -118,14 +116,6 @@ def children(found: Descent, node: int) -> tuple[Floats, Bools]:
 def sector_reach(limit: float) -> int:
     """How many directions of the circle lie within `limit` [rad] on one side of a heading."""
     return math.floor(limit / SPACING + 1e-9)
-
-
-def _cell(scenario: Scenario, cell: float | None) -> float:
-    """The side of a pixel [m]."""
-    if cell is not None:
-        return cell * scenario.unit
-    raster = scenario.map.raster
-    return max(scenario.size) / PIXELS if raster is None else raster.cell
 
 
 def _came(line: Floats, scenario: Scenario, name: str) -> tuple[Stage, ...]:

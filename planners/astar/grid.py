@@ -10,14 +10,12 @@ import numpy as np
 
 from planners.astar.ends import accesses, joined
 from planners.astar.grid_kernels import DIAGONAL, SIDE, corners, search
-from planners.ground import grid_of
+from planners.ground import grid_of, pixel
 from planners.inflate import inflated
 from planners.kernel import Bools, Floats
 from planners.path import Path
 from planners.planner import NO_PATH, NOT_FOUND, Plan, only_pair
 from planners.scenario import Scenario
-
-ACROSS = 512  # cells along the longer side of a map without a raster
 
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e9)]
 Count = Annotated[int, msgspec.Meta(ge=1, le=100_000)]
@@ -41,12 +39,9 @@ class GridSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_o
 
     def cell_on(self, scenario: Scenario) -> float:
         """The side of a cell [m] on that map."""
-        raster = scenario.map.raster
-        if self.cell is not None:
-            return self.cell * scenario.unit
-        if self.cells is None and raster is not None:
-            return raster.cell
-        return max(scenario.size) / (self.cells or ACROSS)
+        if self.cells is not None:
+            return max(scenario.size) / self.cells
+        return pixel(scenario, self.cell)
 
 
 class AstarFour(GridSettings, frozen=True, forbid_unknown_fields=True, kw_only=True):
