@@ -19,6 +19,7 @@ from planners.units import STANDARD_GRAVITY
 from reports.legend import mark_look
 from reports.quantity import number
 from reports.style import MARK, PAPER, PASS_BADGE, VERMILION
+from reports.words import KMH
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,7 +66,7 @@ def needed_entries(plans: Iterable[Plan], speed: float) -> list[Line2D]:
     worst = [abs(worst_place(plan, speed)[2]) for plan in plans if plan.paths]
     if not worst:
         return []
-    return entries_up_to(max(worst), f"at {number(3.6 * speed)} km/h")
+    return entries_up_to(max(worst), f"at {number(KMH * speed)} km/h")
 
 
 def entries_up_to(most: float, when: str) -> list[Line2D]:

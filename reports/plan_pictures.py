@@ -27,6 +27,7 @@ from reports.routes_figure import ROWS, Route, save_routes_figure
 from reports.sector_figure import COLUMNS, save_sector_figure
 from reports.slug import slug
 from reports.trials_words import worst_name
+from reports.words import KMH
 from tracking.outcome import Outcome
 
 _EARLY = (1, 3, 5, 10)  # iterations shown of a search of no more
@@ -121,7 +122,7 @@ def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], ste
 
 def _route(name: str, one: PlannedBy, plan: Plan) -> Route:
     speed = one.driven_at or 0.0
-    return Route(name if one.planned_for else f"{name}, {number(3.6 * speed)} km/h", plan, speed)
+    return Route(name if one.planned_for else f"{name}, {number(KMH * speed)} km/h", plan, speed)
 
 
 def _draw_ants(name: str, one: PlannedBy, history: History, stem: Path) -> Picture:
@@ -225,7 +226,7 @@ def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     parts += ["its sharpest turn from near"]
     parts += ["length and arrivals by iteration"] if plan.history is not None else []
     speed = planned_speed(one.planner)
-    much = "" if speed is None else f" Where it asks too much at {number(3.6 * speed)} km/h, it is red."
+    much = "" if speed is None else f" Where it asks too much at {number(KMH * speed)} km/h, it is red."
     return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path.{much}"
 
 

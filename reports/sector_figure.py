@@ -24,6 +24,7 @@ from reports.plan_map import draw_ground, ground_entries
 from reports.quantity import number, text
 from reports.style import BLUE, INK, ORANGE, PAPER, SKY, VERMILION, WIDTH, Look, new_figure, place, save, style
 from reports.ticks import ticks_from
+from reports.words import KMH
 from sim.truck_limits import STEERING_LIMIT, WHEELBASE
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ def _draw(axes: Axes, scenario: Scenario, speed: float, found: Descent, node: in
         told = "no child is free and new: it ends here"
     elif node == len(line) - 2 and found.arrived:
         told = "the goal is in the sector"
-    axes.set_title(f"{number(3.6 * speed)} km/h: {text(found.step, 'm')}, ±{number(limit)}°", pad=16.0)
+    axes.set_title(f"{number(KMH * speed)} km/h: {text(found.step, 'm')}, ±{number(limit)}°", pad=16.0)
     axes.annotate(
         told, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, 4.5), textcoords="offset points", va="bottom"
     )

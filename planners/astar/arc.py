@@ -77,15 +77,12 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         paths: list[Path] = []
         # Where no smooth path lies near the arcs, those that keep to its own bound may have one
         for lateral in dict.fromkeys((self.lateral, min(self.lateral, self.smooth_lateral))):
-            found = self._search(room, body, start - room.origin, goal - room.origin, lateral)
+            found = self._arcs(scenario, room, body, start - room.origin, goal - room.origin, lateral)
             if isinstance(found, Plan):
                 if not paths:
                     return found
                 break
             arcs = _path(found, room, scenario)
-            if self._touches(arcs, scenario):
-                what = f"the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
-                return Plan(outcome=NOT_FOUND, reason=f"on the arcs found {what}")
             smooth = self._smooth(found, room, body, scenario)
             paths = [arcs, smooth] if smooth is not None else paths or [arcs]
             if smooth is not None:
@@ -115,7 +112,9 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
         path = _path(smooth, room, scenario)
         return None if self._touches(path, scenario) else path
 
-    def _search(self, room: Room, body: Body, start: Floats, goal: Floats, lateral: float) -> Floats | Plan:
+    def _arcs(
+        self, scenario: Scenario, room: Room, body: Body, start: Floats, goal: Floats, lateral: float
+    ) -> Floats | Plan:
         """Points (N, 2) on arcs within `lateral` [g] from `start` to `goal` (2,), or why there are none.
 
         All in metres from the grid's corner.
@@ -152,7 +151,11 @@ class AstarArc(TruckSettings, frozen=True, forbid_unknown_fields=True, kw_only=T
                 ended = f"no pose that can be reached leads on, of {looked} looked at"
             what = f"no way to drive at {3.6 * self.planned_speed:.3g} km/h within {lateral:g} g was found: {ended}"
             return Plan(outcome=NOT_FOUND, reason=what)
-        return _drawn(last, nodes, parents)
+        points = _drawn(last, nodes, parents)
+        if self._touches(_path(points, room, scenario), scenario):
+            what = f"the body touches, for cells of {room.cell:g} m say too little: give smaller ones"
+            return Plan(outcome=NOT_FOUND, reason=f"on the arcs found {what}")
+        return points
 
     def _touches(self, path: Path, scenario: Scenario) -> bool:
         """Whether the body touches anything along `path`, by its exact rectangle."""
