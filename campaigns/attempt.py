@@ -5,13 +5,14 @@ from __future__ import annotations
 import hashlib
 import math
 import pickle
+from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from campaigns.conditions import ConditionKeys
 from campaigns.prepare import seeded
-from campaigns.tracks import to_parquet, whole_track
+from campaigns.tracks import ends, read_tracks, to_parquet, whole_track
 from planners.errors import InputError, TrackworthyError
 from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
@@ -86,7 +87,7 @@ def attempt(job: Job, seed: int, keep: str, labels: dict[str, str]) -> Attempt:
         metrics={name: _measured(metric) for name, metric in outcome.metrics.items()},
         units={name: (metric.unit, metric.better) for name, metric in outcome.metrics.items()},
         profile=error_profile(outcome).astype(np.float32).tobytes(),
-        track=to_parquet(whole_track(outcome), labels) if wanted else None,
+        track=to_parquet(whole_track(outcome), labels | ends(outcome)) if wanted else None,
     )
 
 
@@ -110,10 +111,13 @@ def without_path(reason: str, expect: str) -> Attempt:
     )
 
 
-def replay(job: Job, seed: int) -> Outcome:
-    """The whole outcome of the trial of that seed; raises what `run_trial` raises."""
+def replay(job: Job, seed: int, track: Path | None = None) -> Outcome:
+    """The whole outcome of the trial of that seed, judged by the file of its `track` where there is one, else flown.
+
+    Raises what `run_trial` raises.
+    """
     trial, conditions = _unpacked(job)
-    return run_trial(seeded(trial, conditions, seed))
+    return run_trial(seeded(trial, conditions, seed), read_tracks(track) if track and track.exists() else ())
 
 
 _JOBS: dict[str, tuple[Trial, ConditionKeys]] = {}

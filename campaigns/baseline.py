@@ -10,11 +10,11 @@ from pathlib import Path
 import msgspec
 
 from campaigns.campaign import Campaign, load_campaign
+from campaigns.finished import read_results
 from campaigns.limits import DEFAULT_LIMITS
 from campaigns.manifest import read_manifest
 from campaigns.resolved import RESOLVED
-from campaigns.store import Store
-from campaigns.summary import CaseResult, results_of
+from campaigns.summary import CaseResult
 from planners.errors import InputError
 from planners.files.text import write_text
 from planners.units import degrees
@@ -64,16 +64,8 @@ def read_record(folder: Path) -> Record:
     if not (folder / RESOLVED).exists() or read_manifest(folder / "manifest.json") is None:
         raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
     campaign = load_campaign(str(folder / RESOLVED))
-    store = Store(folder / "results.sqlite", read_only=True)
-    try:
-        results, units = results_of(campaign.cases, store), store.units()
-    finally:
-        store.close()
-    for result in results:
-        found = result.statistics
-        if found.tried + found.errors < result.case.trials:
-            what = f"{found.tried + found.errors} of {result.case.trials} trials of {result.case.name!r} are done"
-            raise InputError(str(folder), what, "run the campaign to its end first")
+    results = read_results(campaign, folder)
+    units = next((result.units for result in results), {})
     shown = {name: degrees(1.0, units[name][0])[1] for name in DEFAULT_LIMITS if name in units}
     cases = {result.case.name: _case(result) for result in results}
     baseline = Baseline(BASELINE_VERSION, SCHEMA_VERSION, campaign.name, shown, cases)

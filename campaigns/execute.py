@@ -10,14 +10,16 @@ from pathlib import Path
 
 from campaigns.attempt import Attempt
 from campaigns.campaign import Campaign
+from campaigns.finished import Finished, shown, worst_tasks
 from campaigns.folder import opened
 from campaigns.lanes import Lanes
-from campaigns.plan_statistics import PlannedBy, planned_by
+from campaigns.manifest import manifest_of
+from campaigns.plan_statistics import planned_by
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
-from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials
+from campaigns.runner import Task, keep_track, outstanding, plan_all, replay_each, run_trials, track_file
 from campaigns.search_ready import ReadySearch
-from campaigns.searches import SearchResult, run_searches
+from campaigns.searches import run_searches
 from campaigns.summary import CaseResult, results_of, write_summary
 from campaigns.workers import Workers
 from planners.outside import OutsidePlanner
@@ -25,22 +27,8 @@ from tracking.outcome import Outcome
 
 PLANNING = 60.0  # [s] for a worker beyond its planner's own time-out
 TRIED = 12  # about as many as a search tries, each as long as a trial may take
-SHOWN = 100  # cases whose worst trial is given whole, those not as expected first
 
 Watch = Callable[[Iterable[tuple[Task, Attempt]], Sequence[Task], int], Iterable[Attempt]]
-
-
-@dataclass(frozen=True, slots=True)
-class Finished:
-    """A campaign's results in order, and the whole outcome of the worst trial of the first `SHOWN` of them by name.
-
-    `searches` holds what the searches found, `plans` what the planners of ours did.
-    """
-
-    results: list[CaseResult]
-    outcomes: dict[str, Outcome]
-    searches: list[SearchResult]
-    plans: list[PlannedBy]
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,12 +84,12 @@ def execute(
             for _ in watch(run_trials(campaign, tasks, store, folder, lanes), tasks, campaign.trials):
                 pass
             results = results_of([ready.case for ready in cases], store)
-            outcomes = _worst(campaign, cases, results, folder, lanes)
+            outcomes = dict(_worst(campaign, cases, results, folder, lanes))
         with machines.lanes(TRIED * campaign.timeout) as lanes:
             found = run_searches(searches, folder, lanes)
         plans = planned_by(cases, campaign.claims, folder)
         write_summary(campaign, results, folder / "summary.json", found, plans)
-        return Finished(results, outcomes, found, plans)
+        return Finished(campaign, folder, manifest_of(campaign, cases, searches), results, outcomes, found, plans)
 
 
 def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:
@@ -117,26 +105,20 @@ def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Seq
 
 def _worst(
     campaign: Campaign, cases: Sequence[ReadyCase], results: Sequence[CaseResult], folder: Path, lanes: Lanes
-) -> dict[str, Outcome]:
-    """Try the worst trial of each case once more, to show it and to keep its track."""
-    first = sorted(results, key=lambda result: (result.passed, result.number))[:SHOWN]
-    shown = {result.case.name for result in first}
-    tasks = [
-        Task(ready, worst.trial, worst.seed, ready.key(worst.trial, worst.seed))
-        for ready, result in zip(cases, results, strict=True)
-        if (worst := result.worst) and (campaign.keep_tracks == "worst" or result.case.name in shown)
-    ]
-    outcomes = {}
-    for task, outcome in replay_each(tasks, lanes):
+) -> Iterator[tuple[str, Outcome]]:
+    """The worst trial of each case whole and by name, where it is `shown`; and their tracks kept if asked for."""
+    keep = campaign.keep_tracks == "worst"
+    names = shown(results)
+    tasks = [task for task in worst_tasks(cases, results) if keep or task.ready.case.name in names]
+    for task, outcome in replay_each(tasks, folder, lanes):
         if outcome is None:
             continue
-        if campaign.keep_tracks == "worst":
+        if keep and not track_file(folder, task.key).exists():
             keep_track(folder, task, outcome)
-        if task.ready.case.name in shown:
-            outcomes[task.ready.case.name] = outcome
-    if campaign.keep_tracks == "worst":
+        if task.ready.case.name in names:
+            yield task.ready.case.name, outcome
+    if keep:
         _forget_others(folder, tasks)
-    return outcomes
 
 
 def _forget_others(folder: Path, tasks: Sequence[Task]) -> None:

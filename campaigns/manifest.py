@@ -27,7 +27,9 @@ HOME = Path(__file__).parents[1]
 
 
 class Manifest(msgspec.Struct, frozen=True):
-    """`campaign` is the hash of all that decides the results but the code, `code` that of the code."""
+    """`campaign` is the hash of all that decides the results but the code, `code` that of the code; `called` is the
+    campaign as it was given to the command line.
+    """
 
     name: str
     store_version: int
@@ -39,6 +41,7 @@ class Manifest(msgspec.Struct, frozen=True):
     platform: str
     seed: int
     cases: dict[str, str]
+    called: str = ""
 
 
 def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequence[ReadySearch] = ()) -> Manifest:
@@ -57,6 +60,7 @@ def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequen
         platform=platform.platform(),
         seed=campaign.seed,
         cases=digests,
+        called=campaign.file,
     )
 
 

@@ -16,7 +16,7 @@ from campaigns.lanes import Lanes
 from campaigns.plans import Plan
 from campaigns.ready import ReadyCase, seeds_of
 from campaigns.store import Store
-from campaigns.tracks import to_parquet, whole_track
+from campaigns.tracks import ends, to_parquet, whole_track
 from campaigns.workers import WorkerDiedError
 from planners.atomic_file import atomic
 from planners.errors import TrackworthyError
@@ -121,14 +121,17 @@ def _result(task: Task, future: Future[Attempt]) -> Attempt:
         return Attempt(task.seed, error=str(error), kind=MACHINERY)
 
 
-def replay_each(tasks: Sequence[Task], lanes: Lanes) -> Iterator[tuple[Task, Outcome | None]]:
-    """The whole outcome of every task, as they finish; None for one that fails this time, or has no path."""
+def replay_each(tasks: Sequence[Task], folder: Path, lanes: Lanes) -> Iterator[tuple[Task, Outcome | None]]:
+    """The whole outcome of every task, as they finish, judged by its track in the results `folder`, or flown.
+
+    None for one that fails this time, or has no path.
+    """
     jobs = ((task, task.ready.job(task.trial)) for task in tasks)
     flown = ((task, job) for task, job in jobs if isinstance(job, Job))
 
     def send(executor: Executor, one: tuple[Task, Job]) -> Future[Outcome]:
         task, job = one
-        return executor.submit(replay, job, task.seed)
+        return executor.submit(replay, job, task.seed, track_file(folder, task.key))
 
     for (task, _), future in lanes.each(flown, send):
         try:
@@ -139,7 +142,13 @@ def replay_each(tasks: Sequence[Task], lanes: Lanes) -> Iterator[tuple[Task, Out
 
 def keep_track(folder: Path, task: Task, track: bytes | Outcome) -> None:
     """Store a track in the results `folder`, as the Parquet file it is or is made."""
-    content = track if isinstance(track, bytes) else to_parquet(whole_track(track), task.labels)
-    (folder / "tracks").mkdir(exist_ok=True)
-    with atomic(folder / "tracks" / f"{task.key[:16]}.parquet") as temporary:
+    content = track if isinstance(track, bytes) else to_parquet(whole_track(track), task.labels | ends(track))
+    file = track_file(folder, task.key)
+    file.parent.mkdir(exist_ok=True)
+    with atomic(file) as temporary:
         temporary.write_bytes(content)
+
+
+def track_file(folder: Path, key: str) -> Path:
+    """Where the track of the trial of that key lies in the results `folder`."""
+    return folder / "tracks" / f"{key[:16]}.parquet"

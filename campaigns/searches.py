@@ -52,10 +52,20 @@ def run_searches(searches: Sequence[ReadySearch], folder: Path, lanes: Lanes) ->
         if not found.error:
             ready.file(folder).parent.mkdir(exist_ok=True)
             write_text(ready.file(folder), f"{msgspec.json.format(msgspec.json.encode(found), indent=2).decode()}\n")
+    return [_result(one, known[one.key]) for one in searches]
+
+
+def stored_searches(searches: Sequence[ReadySearch], folder: Path) -> list[SearchResult]:
+    """What each search found, as it lies in the results `folder`; one that failed lies in none."""
+    missing = Found(error="it failed to run, and says why when it is run again", kind=MACHINERY)
+    files = [one.file(folder) for one in searches]
     return [
-        SearchResult(one.search, _map_units(one.inputs.scenario), one.inputs.limits.kind, known[one.key])
-        for one in searches
+        _result(one, _stored(file) if file.exists() else missing) for one, file in zip(searches, files, strict=True)
     ]
+
+
+def _result(ready: ReadySearch, found: Found) -> SearchResult:
+    return SearchResult(ready.search, _map_units(ready.inputs.scenario), ready.inputs.limits.kind, found)
 
 
 def _stored(file: Path) -> Found:

@@ -170,6 +170,8 @@ def _band(band: Band | None) -> Json:
         "median": _rounded(band.median),
         "low": _rounded(band.low),
         "high": _rounded(band.high),
+        "p5": _rounded(band.p5),
+        "p95": _rounded(band.p95),
     }
 
 

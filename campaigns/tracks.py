@@ -1,11 +1,13 @@
-"""Tracks as Parquet files, with the unit of every column in its metadata."""
+"""Tracks as Parquet files and back, with the unit of every column in its metadata."""
 
 from __future__ import annotations
 
 import io
+from pathlib import Path
 
 import numpy as np
 
+from planners.errors import InputError
 from tracking.columns import UNITS
 from tracking.metric import SCHEMA_VERSION
 from tracking.outcome import Outcome
@@ -26,6 +28,12 @@ def whole_track(outcome: Outcome) -> Track:
     return Track(("vehicle", "departure", *one.columns), data, one.ended, one.frame)
 
 
+def ends(outcome: Outcome) -> dict[str, str]:
+    """How each member of a fleet ended, as labels of the file of their tracks."""
+    members = outcome.fleet.members if outcome.fleet else ()
+    return {f"ended_{i}": member.track.ended for i, member in enumerate(members, start=1)}
+
+
 def to_parquet(track: Track, labels: dict[str, str]) -> bytes:
     """`track` as a Parquet file; each field's metadata has its "unit", the schema's has `labels` and how it ended."""
     import pyarrow as pa
@@ -39,3 +47,29 @@ def to_parquet(track: Track, labels: dict[str, str]) -> bytes:
     buffer = io.BytesIO()
     pq.write_table(table, buffer, compression="zstd")
     return buffer.getvalue()
+
+
+def read_tracks(file: Path) -> tuple[Track, ...]:
+    """The tracks in a Parquet file, one for each vehicle and without a frame.
+
+    Raises `InputError` for a file that is damaged.
+    """
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        table = pq.read_table(file)
+        about = {key.decode(): value.decode() for key, value in (table.schema.metadata or {}).items()}
+        data = np.column_stack([column.to_numpy() for column in table.columns])
+        columns, ended = tuple(table.column_names), about["ended"]
+    except (OSError, pa.ArrowException, KeyError, ValueError) as error:
+        raise InputError(
+            str(file), f"is not the track of a trial ({error})", "run the campaign anew: --fresh"
+        ) from None
+    if columns[0] != "vehicle":
+        return (Track(columns, data, ended),)
+    numbers = data[:, 0].astype(int)
+    return tuple(
+        Track(columns[2:], data[numbers == i, 2:], about.get(f"ended_{i}", ended))
+        for i in range(1, int(numbers[-1]) + 1)
+    )

@@ -26,6 +26,7 @@ from tracking.outcome import Outcome
 from tracking.requirements import default_requirements, split_requirement, with_user_requirements
 from tracking.run import Run
 from tracking.sensors import PERFECT, Sensors
+from tracking.track import Track
 from tracking.verdict import TRACKWORTHY, judge
 
 LONGEST_TIME = 24 * 3600.0  # [s] beyond any tank, and a million samples in memory
@@ -66,20 +67,24 @@ class Trial:
     separation: float | None = None
 
 
-def run_trial(trial: Trial) -> Outcome:
-    """Run it. Raises `InputError` for what cannot be tried, `TrackworthyError` when the simulator fails."""
+def run_trial(trial: Trial, tracks: Sequence[Track] = ()) -> Outcome:
+    """Run it; or judge `tracks`, one a vehicle, as what it gave before.
+
+    Raises `InputError` for what cannot be tried, `TrackworthyError` when the simulator fails.
+    """
     if not trial.others:
-        return _run_alone(trial)
+        return _run_alone(trial, tracks[0] if tracks else None)
     own = tuple(text for text in trial.require if split_requirement(text)[0] not in FLEET_METRICS)
+    paths = (trial.path, *trial.others)
     members = [
-        _run_alone(replace(trial, path=path, require=own, seed=member_seed(trial.seed, i)))
-        for i, path in enumerate((trial.path, *trial.others))
+        _run_alone(replace(trial, path=path, require=own, seed=member_seed(trial.seed, i)), track)
+        for i, (path, track) in enumerate(zip(paths, tracks or (None,) * len(paths), strict=True))
     ]
     separation = members[0].limits.separation if trial.separation is None else trial.separation
     return fleet_outcome(trial.name, members, trial.departures, separation, trial.require)
 
 
-def _run_alone(trial: Trial) -> Outcome:
+def _run_alone(trial: Trial, known: Track | None = None) -> Outcome:
     vehicle = make_vehicle(trial.vehicle, trial.steering_hz, trial.planet)
     limits = vehicle.limits
     speed = limits.speed if trial.speed is None else trial.speed
@@ -102,9 +107,12 @@ def _run_alone(trial: Trial) -> Outcome:
         )
     controller = make_controller(trial.controller)
     try:
-        track = follow(
-            trial.path, vehicle, controller, speed, altitude, conditions, trial.seed, trial.sensors, trial.offset
-        )
+        if known is None:
+            track = follow(
+                trial.path, vehicle, controller, speed, altitude, conditions, trial.seed, trial.sensors, trial.offset
+            )
+        else:
+            track = replace(known, frame=trial.path.frame)
     except (ArithmeticError, RuntimeError) as error:
         raise TrackworthyError(f"{trial.name}: the simulator of {vehicle.name} failed: {error}") from error
     run = Run(trial.path, track, limits, speed, corridor, conditions, feasibility, trial.obstacles, trial.max_range)

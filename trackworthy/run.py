@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from campaigns.campaign import Campaign
-    from campaigns.execute import Finished
+    from campaigns.finished import Finished
     from campaigns.ready import ReadyCase
     from campaigns.search import Search
     from campaigns.search_ready import ReadySearch
