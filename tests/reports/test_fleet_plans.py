@@ -19,7 +19,6 @@ from planners.voronoi.roadmap import roadmap_of
 from planners.voronoi.vd import Vd
 from reports.convergence_figure import best_at, convergence_figure, save_convergence_figure, spread
 from reports.fleet_plan_figure import fleet_plan_figure, pair_of
-from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
 from reports.plan_figure import save_plan_figure
 from reports.plan_json import plan_json
@@ -27,6 +26,7 @@ from reports.plan_rows import is_fleet, limits, plan_row
 from reports.plan_table import rows
 from reports.roadmap_figure import has_roadmap, roadmap_figure, save_roadmap_figure
 from reports.style import MEMBERS, style
+from small_reports import pdf_of
 
 TOLD = PlanStatistics(
     seeds=4, found=4, missing={}, exact_length=172000.0, length=Spread(172600.0, 173000.0),
@@ -213,5 +213,5 @@ def test_a_section_of_fleets(mars, searched, fleet, tmp_path, monkeypatch):
     assert "10 to 90 % over 2 seeds" in section.pictures[1].caption
     assert section.fleet
     assert re.search(r"exact shortest sum 688 map units .*; range limit 424", section.about)
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 3

@@ -18,11 +18,11 @@ from planners.aco.improved import AcoImproved
 from planners.exact import Exact
 from planners.planner import NOT_FOUND
 from planners.scenario import load_scenario
-from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
 from reports.plan_pictures import chosen_iterations
 from reports.plan_rows import changed, labels, plan_row, yardsticks
 from sample_plans import lost_plan, made_up_history, made_up_plan
+from small_reports import pdf_of
 
 
 class AcoLost(AcoImproved, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -153,7 +153,7 @@ def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
     for one, other in zip(section.pictures, again[0].pictures, strict=True):
         assert one.file.read_bytes() == other.file.read_bytes()
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([], tmp_path / name, "Plans", plans=[section])
+        pdf_of([], tmp_path / name, "Plans", plans=[section])
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 6
 
@@ -164,7 +164,7 @@ def test_a_planner_without_a_search_has_its_plan_alone(sections, tmp_path):
     assert [picture.file.stem for picture in section.pictures] == [
         "plans-1-nofly-1000x660-exact", "plans-1-nofly-1000x660-flown",
     ]  # fmt: skip
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])
 
 
 def test_no_path_at_all(sections, tmp_path):
@@ -172,7 +172,7 @@ def test_no_path_at_all(sections, tmp_path):
     assert [picture.file.stem for picture in section.pictures] == [
         "plans-1-nofly-1000x660-aco-lost", "plans-1-nofly-1000x660-aco-lost-ants",
     ]  # fmt: skip
-    write_pdf([], tmp_path / "a.pdf", "#panic()", plans=[dataclasses.replace(section, note="#panic() $x$ *b*")])
+    pdf_of([], tmp_path / "a.pdf", "#panic()", plans=[dataclasses.replace(section, note="#panic() $x$ *b*")])
 
 
 def test_a_planner_that_always_failed_has_a_row_and_no_picture(nofly, tmp_path):
@@ -180,4 +180,4 @@ def test_a_planner_that_always_failed_has_a_row_and_no_picture(nofly, tmp_path):
     (section,) = plan_sections([by(nofly, Exact(), failed, seed=None)], [], {}, "", tmp_path)
     assert section.pictures == []
     assert section.rows[0]["missing"] == "2 failed"
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])

@@ -15,7 +15,6 @@ from campaigns.store import Row
 from campaigns.summary import CaseResult
 from reports.condition_words import condition_words
 from reports.names import listed
-from reports.pdf import write_pdf
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
 from reports.style import style
@@ -23,6 +22,7 @@ from reports.track_figure import track_figure
 from reports.trials_data import strips
 from reports.trials_figure import save_trials_figure, trials_figure
 from reports.trials_words import case_verdict_words, worst_name
+from small_reports import pdf_of
 from tracking.profile import PIECES
 
 
@@ -249,7 +249,7 @@ def test_pdf_of_trials(yard, sharp_yard, tmp_path):
         result_of(named(yard, "never ran"), trials=1, bad=0, errors=1),
     ]
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
+        pdf_of([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert pages(tmp_path / "a.pdf") == 1 + 2 + 1 + 2
 

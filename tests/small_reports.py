@@ -1,0 +1,25 @@
+"""Reports and figures made within the test's own process."""
+
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+
+from campaigns.lanes import Lanes
+from reports.drawing import draw_all
+from reports.pdf import write_pdf
+from reports.report_data import report_of
+
+
+@contextmanager
+def here():
+    with ThreadPoolExecutor(1) as executor:
+        yield Lanes(executor, 2)
+
+
+def pdf_of(outcomes, file, title, paper="a4", **told):
+    """The PDF of a report, its figures in a folder beside it."""
+    report, figures = report_of(outcomes, title, **told), file.with_name(f"{file.stem}-figures")
+    if file.parent.is_dir():
+        figures.mkdir(exist_ok=True)
+    with here() as lanes:
+        draw_all(report.drawings, figures, lanes)
+    write_pdf(report, figures, file, paper)
