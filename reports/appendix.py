@@ -78,6 +78,7 @@ def _requirements(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]
         for margin in outcome.verdict.margins if outcome else ():
             cases.setdefault(margin.requirement, []).append(result.case.name)
             units[margin.requirement.metric] = margin.metric.unit
+    told = [result for result in results if result.case.name in outcomes]
     order = sorted(cases, key=lambda one: (list(METRIC_DEFINITIONS).index(one.metric), -len(cases[one]), one.limit))
     return [
         {
@@ -85,7 +86,7 @@ def _requirements(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]
             "name": one.metric,
             "limit": f"{'≤' if one.comparison == '<=' else '≥'} {text_with_g(one.limit, units[one.metric])}",
             "source": one.source,
-            "cases": _which(cases[one], results),
+            "cases": _which(cases[one], told),
         }
         for one in order
     ]  # fmt: skip
@@ -95,7 +96,7 @@ def _which(names: Sequence[str], results: Sequence[CaseResult]) -> str:
     """ "all 30 cases", "all with c172x" or the first names."""
     if len(names) == len(results):
         return f"all {counted(len(names), 'case')}" if len(names) > 1 else "the case"
-    for vehicle in {result.case.vehicle for result in results}:
+    for vehicle in dict.fromkeys(result.case.vehicle for result in results):
         if {result.case.name for result in results if result.case.vehicle == vehicle} == set(names):
             return f"all {len(names)} with {Path(vehicle).stem}"
     return few(names)
@@ -131,6 +132,6 @@ def _conditions(results: Iterable[CaseResult]) -> list[Json]:
     groups: dict[str, list[str]] = {}
     everything = list(results)
     for result in everything:
-        told = "; ".join(condition_words(result.case.conditions)) or "no wind, no noise, no offsets"
+        told = "; ".join(condition_words(result.case.conditions)) or "no wind"
         groups.setdefault(told, []).append(result.case.name)
     return [{"conditions": told, "cases": _which(names, everything)} for told, names in groups.items()]
