@@ -70,7 +70,7 @@ def _seeds(result: CaseResult, manifest: Manifest | None) -> dict[str, Json]:
 
 
 def _requirements(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) -> list[Json]:
-    """Every requirement once, with its source and the cases that it holds for; those of the users' first."""
+    """Every requirement once, those of one source that hold for the same cases together."""
     cases: dict[Requirement, list[str]] = {}
     units: dict[str, str] = {}
     for result in results:
@@ -80,16 +80,13 @@ def _requirements(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]
             units[margin.requirement.metric] = margin.metric.unit
     told = [result for result in results if result.case.name in outcomes]
     order = sorted(cases, key=lambda one: (list(METRIC_DEFINITIONS).index(one.metric), -len(cases[one]), one.limit))
-    return [
-        {
-            "words": listed(one.metric),
-            "name": one.metric,
-            "limit": f"{'≤' if one.comparison == '<=' else '≥'} {text_with_g(one.limit, units[one.metric])}",
-            "source": one.source,
-            "cases": _which(cases[one], told),
-        }
-        for one in order
-    ]  # fmt: skip
+    groups: dict[tuple[str, str], list[Json]] = {}
+    for one in order:
+        comparison = "≤" if one.comparison == "<=" else "≥"
+        limit = f"{comparison} {text_with_g(one.limit, units[one.metric])}"
+        row: Json = {"name": one.metric, "words": listed(one.metric), "limit": limit}
+        groups.setdefault((one.source, _which(cases[one], told)), []).append(row)
+    return [{"limits": limits, "source": source, "cases": which} for (source, which), limits in groups.items()]
 
 
 def _which(names: Sequence[str], results: Sequence[CaseResult]) -> str:

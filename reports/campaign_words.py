@@ -47,7 +47,7 @@ def share_words(result: CaseResult) -> str:
 
 
 def all_alike(result: CaseResult) -> bool:
-    """Whether several trials differ in nothing, as those of a planner and conditions without chance: no interval then."""
+    """Whether several trials differ in nothing, as without chance in plan and conditions: no interval then."""
     values = result.statistics.values
     return len(values) > 1 and bool(np.array_equal(values, np.broadcast_to(values[0], values.shape), equal_nan=True))
 

@@ -11,6 +11,8 @@ from reports.quantity import number, text
 from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 
+_FAR = 10.0  # limits beyond which it does not matter how far
+
 
 @dataclass(frozen=True, slots=True)
 class Deciding:
@@ -59,7 +61,8 @@ def _told(metric: str, margin: float, at_zero: bool, corridor: float, unit: str)
     if at_zero:
         scale = corridor if unit == "m" and corridor > 0.0 else 1.0
         return Deciding(metric, _signed(margin, text(margin, unit)), margin / scale)
-    return Deciding(metric, _signed(margin, f"{number(100.0 * margin, 2)} %"), margin)
+    words = f"{number(100.0 * margin, 2)} %" if margin > -_FAR else f"<{number(-100.0 * _FAR)} %"
+    return Deciding(metric, _signed(margin, words), margin)
 
 
 def _signed(value: float, words: str) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 
-from campaigns.search import ScaleSearch
+from campaigns.search import ScaleSearch, SpeedSearch
 from campaigns.searches import SearchResult
 from campaigns.summary import ERROR, CaseResult
 from reports.condition_words import condition_words
@@ -34,31 +35,36 @@ def front_data(
     campaign: str = "",
 ) -> dict[str, Json]:
     """The page of a campaign that was given as `campaign` on the command line, "" for one that is not known."""
+    again = ["trackworthy", "run", campaign]
     return {
         "headline": headline(results, searches),
         "counts": counts_words(results, searches),
         "good": all(result.passed for result in results) and all(one.passed is not False for one in searches),
         "tested": _tested(results, outcomes, searches),
         "worst": _groups(results, outcomes, searches),
-        "repeat": shlex.join(["trackworthy", "run", campaign]) if campaign else "",
-        "repeat_one": shlex.join(["trackworthy", "run", campaign, "--case", "NAME", "--trial", "N"]) if campaign else "",
+        "repeat": shlex.join(again) if campaign else "",
+        "repeat_one": shlex.join([*again, "--case", "NAME", "--trial", "N"]) if campaign and results else "",
         "legend": _LEGEND if results else "",
     }  # fmt: skip
 
 
 def headline(results: Sequence[CaseResult], searches: Sequence[SearchResult]) -> dict[str, str]:
-    """The answer: "30 of 30" and "cases came out as expected"."""
+    """The answer: "30 of 30" and "cases came out as expected"; or how many did not."""
     asked = [search.passed for search in searches if search.passed is not None]
-    if results:
-        passed, noun = sum(result.passed for result in results), "case" if len(results) == 1 else "cases"
-        beside = (
-            f", and {sum(asked)} of {counted(len(asked), 'search').replace('searchs', 'searches')}" if asked else ""
-        )
-        return {"number": f"{passed} of {len(results)}", "words": f"{noun} came out as expected{beside}"}
-    if asked:
-        noun = "search" if len(asked) == 1 else "searches"
-        return {"number": f"{sum(asked)} of {len(asked)}", "words": f"{noun} came out as expected"}
-    return {"number": f"{len(searches)}", "words": f"{'search' if len(searches) == 1 else 'searches'} made"}
+    kinds = [("case", [result.passed for result in results]), ("search", asked)]
+    if not results and not asked:
+        return {"number": f"{len(searches)}", "words": f"{_noun(len(searches), 'search')} made"}
+    good = all(all(passed) for _, passed in kinds)
+    counts = [
+        (f"{passed.count(good)} of {len(passed)}", _noun(len(passed), kind)) for kind, passed in kinds if good in passed
+    ]
+    (first, noun), *others = counts
+    more = "".join(f", and {count} {kind}" for count, kind in others)
+    return {"number": first, "words": f"{noun}{more} {'came' if good else 'did not come'} out as expected"}
+
+
+def _noun(count: int, kind: str) -> str:
+    return kind if count == 1 else {"case": "cases", "search": "searches"}[kind]
 
 
 def counts_words(results: Sequence[CaseResult], searches: Sequence[SearchResult]) -> str:
@@ -120,11 +126,14 @@ def _groups(
         if group
     ]
     if missed:
-        rows: list[Json] = [
-            {"case": "", "name": "", "mark": "✗", "good": False, "words": search_line(one)} for one in missed
-        ]
+        rows: list[Json] = [_search_row(one) for one in missed]
         found.insert(0, {"title": "Searches that are not as expected", "rows": rows[:3], "more": max(0, len(rows) - 3)})
     return found
+
+
+def _search_row(search: SearchResult) -> dict[str, Json]:
+    words = search_line(search).removeprefix("FAIL ").removeprefix("error ")
+    return {"case": "", "name": "", "mark": "✗", "good": False, "words": _cut(words)}
 
 
 def _spread(ranked: Sequence[CaseResult], told: Mapping[str, Mapping[str, str]]) -> list[CaseResult]:
@@ -162,12 +171,13 @@ def _tested(
     for row in told:
         speeds.setdefault(row[VEHICLE], []).append(row[SPEED])
     vehicles = [f"{vehicle} at {_listed(values)}" for vehicle, values in speeds.items()]
+    controllers = list(dict.fromkeys(row[CONTROLLER] for row in told))
     rows = [
         ("planners" if len(planners) > 1 else "planner", _listed(planners)),
         ("paths" if len(files) > 1 else "path", _listed(files)),
         ("maps", _listed(row[SCENARIO] for row in told if row[SCENARIO])),
         ("vehicles" if len(vehicles) > 1 else "vehicle", _listed(vehicles, "; ")),
-        ("controllers" if len({row[CONTROLLER] for row in told}) > 1 else "controller", _listed(row[CONTROLLER] for row in told)),
+        ("controllers" if len(controllers) > 1 else "controller", _listed(controllers)),
         ("conditions", _listed(conditions, "; ")),
         ("trials", _trials(results)),
         ("searches", _searches(searches)),
@@ -189,7 +199,15 @@ def _searches(searches: Sequence[SearchResult]) -> str:
     scales = sum(isinstance(one.search, ScaleSearch) for one in searches)
     speeds = len(searches) - scales
     parts = [f"{scales} for the smallest scale"] if scales else []
-    return ", ".join([*parts, *([f"{speeds} for the top speed"] if speeds else [])])
+    parts += [f"{speeds} for the top speed"] if speeds else []
+    return f"{', '.join(parts)}: {_listed((_searched(one) for one in searches), '; ')}" if parts else ""
+
+
+def _searched(one: SearchResult) -> str:
+    """What is searched with: "road.csv with truck under lqr"."""
+    search = one.search
+    path = Path(search.path).name if isinstance(search, SpeedSearch) and search.path else search.planner
+    return f"{path} with {Path(search.vehicle).stem} under {search.controller}"
 
 
 def _listed(values: Iterable[str], separator: str = ", ") -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-_ISO = "ISO 12188-2; MAVLink xtrack_error"
+_ISO = "ISO 12188-2, MAVLink"
 _PBN = "ICAO PBN, containment"
-_TURNS = "fly-by and coordinated-turn geometry"
+_TURNS = "geometry of turns"
 _TRUCK = "paper 004, eq. 8"
 _OURS = "trackworthy"
 
@@ -13,7 +13,7 @@ METRIC_DEFINITIONS: dict[str, tuple[str, str]] = {
     "cross_track_mean": ("Mean of the signed distance to the path, left positive: the steady bias.", _ISO),
     "cross_track_rms": ("Root mean square of the distance to the path, weighted by the length flown or driven.", _ISO),
     "cross_track_p50": ("Distance to the path that is kept on half of the way.", _ISO),
-    "cross_track_p95": ("Distance to the path that is kept on 95 % of the way.", "ICAO PBN, flight technical error 95 %"),
+    "cross_track_p95": ("Distance to the path that is kept on 95 % of the way.", "ICAO PBN, FTE 95 %"),
     "cross_track_p99": ("Distance to the path that is kept on 99 % of the way.", _ISO),
     "cross_track_max": ("Largest distance to the path; path that was not reached counts with its distance.", _ISO),
     "corridor_fraction": ("Share of the path followed within the corridor.", _PBN),
@@ -30,7 +30,7 @@ METRIC_DEFINITIONS: dict[str, tuple[str, str]] = {
     "altitude_error_max": ("Largest difference of flown and commanded altitude.", _OURS),
     "speed_error_rms": ("Root mean square of flown or driven minus commanded speed.", _OURS),
     "speed_error_max": ("Largest difference of flown or driven and commanded speed.", _OURS),
-    "frechet": ("Discrete Fréchet distance of track and path, sampled at a tenth of the corridor.", "Eiter and Mannila 1994"),
+    "frechet": ("Discrete Fréchet distance of track and path, every tenth of the corridor.", "Eiter and Mannila 1994"),
     "path_length": ("Length of the planned path.", _OURS),
     "track_length": ("Length flown or driven.", _OURS),
     "length_ratio": ("Length flown or driven over the length planned.", _OURS),
@@ -51,8 +51,8 @@ METRIC_DEFINITIONS: dict[str, tuple[str, str]] = {
     "steering_max": ("Largest angle of the front wheels.", _OURS),
     "steering_rate_max": ("Largest rate of the front wheels' angle.", _OURS),
     "lateral_acceleration_max": ("Largest acceleration to the side that the vehicle really had.", _TRUCK),
-    "lateral_acceleration_demanded": ("Largest acceleration to the side that the controller asked for: v² times curvature.", _TRUCK),
-    "lateral_acceleration_needed": ("Largest acceleration to the side that the path needs at the commanded speed.", _TRUCK),
+    "lateral_acceleration_demanded": ("Largest acceleration to the side asked for, v² times curvature.", _TRUCK),
+    "lateral_acceleration_needed": ("Largest acceleration to the side that the path needs at that speed.", _TRUCK),
     "friction_use_max": ("Largest share of the tyres' grip that was used.", _OURS),
     "clearance_min": ("Smallest distance of the vehicle's outline to obstacles and map edge; negative inside.", _OURS),
     "incursion_count": ("How often the outline touched an obstacle or the map's edge.", _OURS),
