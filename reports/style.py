@@ -8,6 +8,7 @@ it.
 from __future__ import annotations
 
 import io
+import re
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -44,6 +45,8 @@ DPI = 200  # 1600 pixels wide
 _FALLBACKS = (
     "Noto Sans CJK SC", "Noto Sans CJK JP", "Noto Sans SC", "WenQuanYi Zen Hei", "Microsoft YaHei", "PingFang SC",
 )  # fmt: skip
+
+_NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # XML 1.0, 2.2; names come along as comments
 
 _RC: Look = {
     "font.size": 8.0,
@@ -132,7 +135,7 @@ def save(figure: Figure, *files: str | Path) -> None:
 def _svg(figure: Figure) -> bytes:
     buffer = io.BytesIO()
     figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
-    return buffer.getvalue()
+    return _NOT_XML.sub("", buffer.getvalue().decode()).encode()
 
 
 def _png(svg: bytes, width: float, height: float) -> bytes:

@@ -30,6 +30,7 @@ def add_parser(commands: Any) -> None:
         metavar="CAMPAIGN",
         help="a TOML file or a built-in name; default papers",
     )
+    add("--full", action="store_true", help="the long form of papers: three campaigns in one")
     add("--case", action="append", default=[], metavar="NAME", help="run this case only; repeatable")
     add("--trial", type=int, metavar="N", help="replay just this trial of the one --case, and show it whole")
     add("-o", "--output", metavar="DIR", help="folder of the results (default: runs/ and the campaign's name)")
@@ -41,8 +42,8 @@ def add_parser(commands: Any) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Run what is missing, write the report, and answer with the exit code."""
-    from campaigns.campaign import load_campaign
     from campaigns.execute import Machines, default_jobs, execute
+    from campaigns.full import find_campaign
     from campaigns.ready import make_ready
     from campaigns.search_ready import make_searches_ready
     from planners.errors import InputError
@@ -53,7 +54,7 @@ def main(args: argparse.Namespace) -> int:
 
     if args.jobs is not None and args.jobs < 1:
         raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
-    campaign = load_campaign(args.campaign, args.case)
+    campaign = find_campaign(args.campaign, args.case, args.full)
     cases, searches = make_ready(campaign), make_searches_ready(campaign)
     tell(dict.fromkeys(note for ready in cases for note in ready.notes))
     name = "-".join([slug(campaign.name), *map(slug, args.case)])

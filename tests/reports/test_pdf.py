@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from planners.errors import InputError
+from reports.case_drawings import track_drawing
+from reports.pdf import _without_head
 from reports.pdf_case import case_data
 from reports.track_figure import save_track_figure
-from small_reports import pdf_of
+from small_reports import drawn, pdf_of
 from tracking.feasibility import Feasibility
 from tracking.verdict import Verdict
 
@@ -26,7 +28,7 @@ def test_same_outcomes_same_bytes(route, yard, tmp_path):
     assert first.startswith(b"%PDF-")
     assert first == (tmp_path / "b.pdf").read_bytes()
     assert b"CreationDate" not in first
-    assert len(list(tmp_path.iterdir())) == 2
+    assert len(list(tmp_path.glob("*.*"))) == 2  # nothing is left over
     assert pages(tmp_path / "a.pdf") >= 3
 
 
@@ -98,8 +100,25 @@ def test_a_page_a_case(route, yard, sharp_yard, tmp_path):
 
 def test_many_cases(yard, tmp_path, monkeypatch):
     """All are drawn the same, so one drawing serves them all."""
-    save_track_figure(yard, tmp_path / "drawn.svg", page=True)
-    copied = lambda _, file, page: shutil.copyfile(tmp_path / "drawn.svg", file)  # noqa: E731
-    monkeypatch.setattr("reports.track_figure.save_track_figure", copied)
+    save_track_figure(yard, tmp_path / "drawn.svg")
+
+    def copied(drawings, folder, _lanes):
+        for one in drawings:
+            shutil.copyfile(tmp_path / "drawn.svg", folder / one.svg)
+
+    monkeypatch.setattr("small_reports.draw_all", copied)
     pdf_of([yard] * 40, tmp_path / "a.pdf", "Forty cases")
     assert pages(tmp_path / "a.pdf") in (42, 43)
+
+
+def test_a_page_leaves_out_the_head_of_its_figure(yard, tmp_path):
+    one = track_drawing("yard", yard)
+    (png,) = drawn([one], tmp_path / "figures")
+    svg = png.with_suffix(".svg").read_text()
+    height = float(re.search(r'height="([0-9.]+)pt"', svg)[1])
+    told = re.search(
+        r'<svg [^>]*height="([0-9.]+)pt" viewBox="0 ([0-9.]+) 576 ([0-9.]+)"', _without_head(svg, one.head)
+    )
+    assert [float(value) for value in told.groups()] == pytest.approx(
+        [height - 72 * one.head, 72 * one.head, height - 72 * one.head], abs=1e-3
+    )
