@@ -134,3 +134,8 @@ def _parts(run: Run) -> tuple[str, str, str, str]:
 def _name(where: str, unit: float | None, several: bool) -> str:
     name = stem_of(where)
     return f"{name} at {text(unit, 'm')} a unit" if several and unit is not None else name
+
+
+def within_group(run: Run, group: str) -> str:
+    """What tells `run` from others of its `group`: its setting without what the group is called."""
+    return " · ".join(part for part in run.setting.split(" · ") if part != group) or run.setting

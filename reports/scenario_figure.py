@@ -26,6 +26,7 @@ from reports.scenario_map import (
     draw_driven,
     draw_ground,
     draw_planned,
+    draw_told_apart,
     driven_marks,
     ground_marks,
     looks_of,
@@ -82,9 +83,10 @@ def scenario_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
         _draw_tracks(figure.axes[0], flown, view, INK)
     elif len(looks) == 1:  # the worst of each on the one path, in the colour of its own map
         for group, look in reversed([*tracks.items()]):
-            draw_driven(figure.axes[0], groups[group][0][1], view, look["color"], 1.0, look["color"])
+            draw_told_apart(figure.axes[0], groups[group][0][1], view, look)
     for i, (group, box) in enumerate(zip(shares, plan.shares, strict=True)):
-        _draw_share(figure, box, group, groups[group], tracks[group], view)
+        tried = sum(run.source == group for run in runs.runs) if len(looks) > 1 else len(groups[group])
+        _draw_share(figure, box, group, groups[group], tried, tracks[group], view)
         _label_share(figure.axes[-1], plan.shares, i)
     figure.legend(
         handles=entries, loc="upper left", ncols=4, columnspacing=1.4, handletextpad=0.6, labelspacing=0.45,
@@ -124,9 +126,11 @@ def _draw_tracks(axes: Axes, flown: Sequence[tuple[Run, Outcome]], view: Extent,
 
 
 def _draw_share(
-    figure: Figure, box: Box, name: str, own: Sequence[tuple[Run, Outcome]], look: Look, view: Extent
+    figure: Figure, box: Box, name: str, own: Sequence[tuple[Run, Outcome]], tried: int, look: Look, view: Extent
 ) -> None:
-    """The map of one group: its paths, the tracks of its cases and where most of their trials were."""
+    """The map of one group: its paths, the tracks of those flown of its `tried` cases, and where
+    most of their trials were.
+    """
     axes, view = place(figure, box.left, box.top, box.width, box.height), view.filled(box.width / box.height)
     draw_ground(axes, own[0][1], view)
     draw_planned(axes, [one.path for _, outcome in own for one in members_of(outcome)], view, look, 2.0)
@@ -134,7 +138,7 @@ def _draw_share(
     good = sum(run.result.verdict == TRACKWORTHY for run, _ in own)
     title = axes.set_title(shortened(name, _TITLE), pad=14.0)
     told = axes.annotate(
-        f"{good} of {counted(len(own), 'case')} trackworthy", (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, 4.0),
+        f"{good} of {counted(tried, 'case')} trackworthy", (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, 4.0),
         textcoords="offset points", fontsize=7.5, color=MUTED, annotation_clip=False,
     )  # fmt: skip
     for text in (title, told):

@@ -13,10 +13,10 @@ _GAP, _SMALL_GAP = 0.80, 0.52  # between maps side by side, for the labels of th
 _LABELS, _TITLE, _CAPTION, _BOTTOM = 0.44, 0.16, 0.40, 0.06  # under axes, and above them
 _TICKS = 0.22  # under axes with others below
 _ROW = 0.165  # of the legend
-_LOWEST, _HIGHEST, _NEAR = 1.5, 3.6, 2.3  # heights of the map, and the least width of the near view
+_LOWEST, _HIGHEST, _NEAR = 1.5, 3.3, 2.3  # heights of the map, and the least width of the near view
 _WIDE = 2.4  # a map wider than this, against its height, has the near view below it
-_SHARES = 3  # maps of one source side by side
-_SHARE_HIGHEST = (2.8, 1.9)  # of one row of them, and of two
+_SHARES, _FLAT = 3, 1.3  # maps of one source side by side; four of flatter ones stand in a square
+_SHARE_HIGHEST = (2.6, 1.7)  # of one row of them, and of two
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ def _maps(aspect: float, top: float, near: bool) -> tuple[Box, Box | None]:
 
 
 def _small(aspect: float, top: float, count: int) -> tuple[Box, ...]:
-    columns = 2 if count == 4 else min(_SHARES, count) or 1
+    columns = (2 if aspect > _FLAT else 4) if count == 4 else min(_SHARES, count) or 1
     rows = -(-count // columns)
     width = (_FULL - (columns - 1) * _SMALL_GAP) / columns
     high = min(_SHARE_HIGHEST[rows > 1], max(0.8, width / aspect))

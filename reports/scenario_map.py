@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import matplotlib.patheffects as effects
@@ -95,25 +95,33 @@ def draw_planned(axes: Axes, paths: Iterable[Path], view: Extent, look: Look, wi
                 axes.plot(*path.xy[end], **{**mark, "zorder": 7})
 
 
-def draw_driven(
-    axes: Axes, outcome: Outcome, view: Extent, colour: str, width: float = _DRIVEN, beyond_it: str = VERMILION
-) -> None:
-    """Draw the tracks of `outcome` in `colour`, and where they are beyond the corridor in that of `beyond_it`."""
-    pixel, reach = view.width / axes.bbox.width, view.grown(0.5 * view.larger)
+def draw_driven(axes: Axes, outcome: Outcome, view: Extent, colour: str, width: float = _DRIVEN) -> None:
+    """Draw the tracks of `outcome` in `colour`, and in vermilion where they are beyond the corridor."""
+    for line, beyond in _tracks(outcome, view, view.width / axes.bbox.width):
+        segments = np.stack([line[:-1], line[1:]], axis=1)
+        colours = np.where(beyond[:-1] | beyond[1:], VERMILION, colour)
+        look: Look = {"linewidths": width, "capstyle": "round", "zorder": 3.6}
+        axes.add_collection(LineCollection(list(segments), colors=list(colours), **look), autolim=False)
+
+
+def draw_told_apart(axes: Axes, outcome: Outcome, view: Extent, look: Look) -> None:
+    """Draw the tracks of `outcome` in a `look` that tells them from others, wherever they are."""
+    for line, _ in _tracks(outcome, view, view.width / axes.bbox.width):
+        axes.plot(*line.T, linewidth=1.1, zorder=3.6, **look)
+
+
+def _tracks(outcome: Outcome, view: Extent, pixel: float) -> Iterator[tuple[Floats, Bools]]:
+    """Of every vehicle what of its track (N, 2) [m] is about `view`, and where (N,) it is beyond the corridor."""
+    reach = view.grown(0.5 * view.larger)
     for member in members_of(outcome):
         xy = np.column_stack([member.track["x"], member.track["y"]])
         good = np.isfinite(xy).all(axis=1)
         xy, beyond = xy[good], (np.abs(member.track["cross_track"]) > member.corridor)[good]
         near = np.flatnonzero(reach.holds(xy))
-        if len(near) < 2:
-            continue
-        within = slice(near[0], near[-1] + 1)  # what lies between stays, so that the line is whole
-        kept = polyline(xy[within], _FINE * pixel, _MOST_POINTS)
-        line, out = xy[within][kept], beyond[within][kept]
-        segments = np.stack([line[:-1], line[1:]], axis=1)
-        colours = np.where(out[:-1] | out[1:], beyond_it, colour)
-        look: Look = {"linewidths": width, "capstyle": "round", "zorder": 3.6}
-        axes.add_collection(LineCollection(list(segments), colors=list(colours), **look), autolim=False)
+        if len(near) > 1:
+            within = slice(near[0], near[-1] + 1)  # what lies between stays, so that the line is whole
+            kept = polyline(xy[within], _FINE * pixel, _MOST_POINTS)
+            yield xy[within][kept], beyond[within][kept]
 
 
 def draw_band(axes: Axes, run: Run, outcome: Outcome, view: Extent, colour: str) -> bool:

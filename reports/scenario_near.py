@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from reports.body import draw_body
 from reports.extent import Extent
-from reports.fitted import fit, shortened
+from reports.fitted import fit
 from reports.focus import Focus
 from reports.layout import Box
 from reports.legend import mark_look
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
-_NAMED = 60  # characters
 _SMALLEST = 7.0  # [pt]
 _SMALLEST_FRAME = 0.03  # of the map's larger side
 
@@ -50,9 +49,9 @@ def draw_worst_place(
     axes.plot(marked.x, marked.y, **{**ring, "markeredgewidth": 1.8, "zorder": 8})
     ticks_from(axes, marked.x, marked.y)
     axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
-    title = axes.set_title(f"{marked.title}: {marked.label}", pad=_TITLE_PAD)
+    title = axes.set_title(marked.title, pad=_TITLE_PAD)
     told = axes.annotate(
-        shortened(worst[0].result.case.name, _NAMED), (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
+        marked.label, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
         textcoords="offset points", fontsize=7.5, va="bottom", annotation_clip=False,
     )  # fmt: skip
     for text in (title, told):
