@@ -59,8 +59,8 @@ def map_caption(runs: ScenarioRuns) -> str:
     worst = shortened(runs.flown[0][0].result.case.name, _NAMED)
     missing = len(runs.runs) - len(runs.flown)
     parts = [
-        f"{runs.name}: the planned paths, the worst trial of every case as {runs.driven}, and from near the worst place, "
-        f"of {worst}."
+        f"{runs.name}: the planned paths, the worst trial of every case as {runs.driven}, and from near the worst "
+        f"place, of {worst}."
     ]
     if any(run.result.statistics.band is not None for run in runs.runs):
         parts.append(
@@ -78,8 +78,8 @@ def errors_caption(runs: ScenarioRuns) -> str:
     hidden = unshown_groups(runs)
     more = f" {hidden} more, less bad, are not shown." if hidden else ""
     return (
-        f"{runs.name}: cross-track error along the path of the worst trial of each case, left positive, all on one scale; "
-        f"below, what the worst of them asked of the vehicle.{more}"
+        f"{runs.name}: cross-track error along the path of the worst trial of each case, left positive, all on one "
+        f"scale; below, what the worst of them asked of the vehicle.{more}"
     )
 
 
@@ -89,4 +89,5 @@ def trials_caption(runs: ScenarioRuns) -> str:
     more = (
         f" {counted(hidden, 'more case')}, less bad, {'is' if hidden == 1 else 'are'} not shown." if hidden > 0 else ""
     )
-    return f"{runs.name}: every trial of each case, the worst case first, and how many of its trials are trackworthy.{more}"
+    what = "every trial of each case, the worst case first, and how many of its trials are trackworthy."
+    return f"{runs.name}: {what}{more}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
@@ -16,30 +18,26 @@ def texts_of(figure: Figure) -> list[tuple[str, float, Bbox]]:
     canvas = FigureCanvasAgg(figure)
     renderer = canvas.get_renderer()
     canvas.draw()
+    unseen = set(_unseen(figure))
     found = []
     for text in figure.findobj(lambda artist: isinstance(artist, Text)):
         assert isinstance(text, Text)
-        hidden = not text.get_visible() or not text.get_text().strip() or _off(text)
+        hidden = not text.get_visible() or not text.get_text().strip() or id(text) in unseen
         if not hidden and not (isinstance(text, Annotation) and not text._check_xy(renderer)):
             # The ink of a box around the text is no text
             found.append((text.get_text(), float(text.get_fontsize()), Text.get_window_extent(text, renderer)))
     return found
 
 
-def _off(text: Text) -> bool:
-    """Whether it is the label of a tick that is not on its axis, or of axes that are not shown."""
-    axes = text.axes
-    if axes is None:
-        return False
-    if not axes.get_visible():
-        return True
-    for axis in (axes.xaxis, axes.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        slack = 1e-9 * (high - low)
-        for tick in [*axis.get_major_ticks(), *axis.get_minor_ticks()]:
-            if text in (tick.label1, tick.label2):
-                return not (tick.get_visible() and low - slack <= tick.get_loc() <= high + slack)
-    return False
+def _unseen(figure: Figure) -> Iterator[int]:
+    """The ids of the labels of ticks that are not on their axis."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            low, high = sorted(axis.get_view_interval())
+            slack = 1e-9 * (high - low)
+            for tick in [*axis.majorTicks, *axis.minorTicks]:
+                if not (tick.get_visible() and low - slack <= tick.get_loc() <= high + slack):
+                    yield from (id(tick.label1), id(tick.label2))
 
 
 def faults(figure: Figure) -> list[str]:
