@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +19,7 @@ from reports.quantity import KILO, number, shown_in
 from reports.scenario_cases import Run, ScenarioRuns
 from reports.scenario_head import draw_scenario_head, scenario_head_height
 from reports.strip_panel import scattered
-from reports.style import BLUE, INK, LIMIT, MUTED, VERMILION, WIDTH, Look, new_figure, place, save, style
+from reports.style import BLUE, INK, LIMIT, MUTED, VERMILION, WIDTH, Look, new_figure, place
 from reports.ticks import ticks
 from reports.trials_data import column
 
@@ -48,25 +47,14 @@ class _Column:
     at_least: bool
 
 
-def save_distribution_figure(runs: ScenarioRuns, file: str | Path, page: bool = False) -> None:
-    """Write the picture of all trials of `runs` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    At least one case must have an outcome. `page` leaves the head to the page it stands on. The same results give the
-    same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(distribution_figure(runs, page), file)
-
-
-def distribution_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`."""
+def distribution_figure(runs: ScenarioRuns) -> Figure:
+    """The figure of `runs`, of which at least one was flown; to be called, and saved, within `style.style()`."""
     cases = [run for run, _ in runs.flown][:MOST_ROWS]
     shown = _columns(cases)
-    top = (0.0 if page else scenario_head_height(runs)) + _KEY + _TITLE
+    top = scenario_head_height(runs) + _KEY + _TITLE
     high = (_FEW_ROWS if len(cases) <= _FEW else _ROW) * len(cases)
     figure = new_figure(top + high + _LABELS + _BOTTOM)
-    if not page:
-        draw_scenario_head(figure, runs)
+    draw_scenario_head(figure, runs)
     width = (WIDTH - _NAMES - RIGHT - (len(shown) - 1) * _GAP) / len(shown)
     for i, one in enumerate(shown):
         axes = place(figure, _NAMES + i * (width + _GAP), top, width, high)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +18,7 @@ from reports.quantity import number, text
 from reports.scenario_cases import Run, ScenarioRuns, within_group
 from reports.scenario_head import draw_scenario_head, scenario_head_height
 from reports.scenario_map import LOOKS, OTHERS, looks_of
-from reports.style import CORRIDOR, MUTED, WIDTH, Look, new_figure, place, save, style
+from reports.style import CORRIDOR, MUTED, WIDTH, Look, new_figure, place
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from tracking.outcome import Outcome
 
@@ -36,18 +35,8 @@ _ROOM = 1.15  # how far the axis goes beyond what it holds
 _NAMED, _LEGEND_NAME = 60, 34  # characters
 
 
-def save_errors_figure(runs: ScenarioRuns, file: str | Path, page: bool = False) -> None:
-    """Write the picture of `runs` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    At least one case must have an outcome. `page` leaves the head to the page it stands on. The same results give the
-    same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(errors_figure(runs, page), file)
-
-
-def errors_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`.
+def errors_figure(runs: ScenarioRuns) -> Figure:
+    """The figure of `runs`, of which at least one was flown; to be called, and saved, within `style.style()`.
 
     Above, the errors of the worst trial of each case over the distance along its path, a panel a group of cases and all
     on one scale; below, side by side, what the worst case of each group asked of the same vehicle.
@@ -55,7 +44,7 @@ def errors_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
     groups = {name: runs.groups[name] for name in list(runs.groups)[:MOST_PANELS]}
     looks = looks_of(dict.fromkeys(within_group(run, name) for name, own in groups.items() for run, _ in own))
     efforts = side_by_side(groups)
-    top = 0.0 if page else scenario_head_height(runs)
+    top = scenario_head_height(runs)
     columns = 1 if len(groups) == 1 else 2
     high, rows = _HIGHEST if columns == 1 else _HIGH, -(-len(groups) // columns)
     key_rows = -(-(min(len(looks), len(LOOKS) + 1) + 2) // 3)
@@ -63,8 +52,7 @@ def errors_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
     first = key + key_rows * _ROW + _TITLE + 0.12
     bottom = first + rows * high + (rows - 1) * _BETWEEN + _LABELS
     figure = new_figure(bottom + grid_height(efforts) + _BOTTOM)
-    if not page:
-        draw_scenario_head(figure, runs)
+    draw_scenario_head(figure, runs)
     shown = [outcome for own in groups.values() for _, outcome in own]
     corridor = max(outcome.corridor for outcome in shown)
     ceiling, longest = _ceiling(shown), max(outcome.path.length for outcome in shown)

@@ -24,8 +24,9 @@ def fit(text: Text, room: float, smallest: float | None = None) -> None:
     if smallest is not None:
         size = float(text.get_fontsize())
         text.set_fontsize(max(smallest, size * room / width))
-    name = text.get_text()
+    name, width = text.get_text(), text.get_window_extent().width
     kept = len(name)
-    while text.get_window_extent().width > room and kept > _SHORTEST:
-        kept -= 1
+    while width > room and kept > _SHORTEST:
+        kept = max(_SHORTEST, min(kept - 1, int(kept * room / width)))
         text.set_text(shortened(name, kept))
+        width = text.get_window_extent().width

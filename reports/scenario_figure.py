@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
@@ -33,7 +32,7 @@ from reports.scenario_map import (
     members_of,
 )  # fmt: skip
 from reports.scenario_near import draw_worst_place
-from reports.style import INK, MARK, MUTED, WIDTH, Look, new_figure, place, save, style
+from reports.style import INK, MARK, MUTED, WIDTH, Look, new_figure, place
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.wind_mark import draw_wind, same_wind
 from tracking.outcome import Outcome
@@ -46,18 +45,8 @@ _LEGEND_NAME, _TITLE = 34, 60  # characters of a name
 _ASIDE, _SMALLEST = 0.3, 7.0  # [in] that a title may be wider than its map, and its smallest type [pt]
 
 
-def save_scenario_figure(runs: ScenarioRuns, file: str | Path, page: bool = False) -> None:
-    """Write the picture of `runs` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    At least one case must have an outcome. `page` leaves the head to the page it stands on. The same results give the
-    same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(scenario_figure(runs, page), file)
-
-
-def scenario_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`.
+def scenario_figure(runs: ScenarioRuns) -> Figure:
+    """The figure of `runs`, of which at least one was flown; to be called, and saved, within `style.style()`.
 
     The map has the planned paths by source. Of several sources, or else controllers or settings, each has a map of its
     own with its tracks, the worst first, as many as there is room for; otherwise the tracks are on the map itself.
@@ -68,12 +57,11 @@ def scenario_figure(runs: ScenarioRuns, page: bool = False) -> Figure:
     tracks = looks if len(looks) > 1 else looks_of(groups)
     shares = list(groups)[:MOST_SHARES] if len(groups) > 1 else []
     marked = focus(flown[0][1])
-    top = 0.0 if page else scenario_head_height(runs)
+    top = scenario_head_height(runs)
     entries = [*_named(looks, tracks), *driven_marks(runs.driven), *ground_marks([outcome for _, outcome in flown])]
     plan = scenario_layout(view.width / view.height, top, marked is not None, len(shares), -(-(len(entries) + 1) // 4))
     figure = new_figure(plan.height)
-    if not page:
-        draw_scenario_head(figure, runs)
+    draw_scenario_head(figure, runs)
     view = _draw_world(figure, runs, looks, view, plan, marked)
     if marked is not None and plan.near is not None:
         near = around(flown[0][1], marked, view).filled(plan.near.width / plan.near.height)

@@ -1,56 +1,33 @@
-"""Which figures a report has of each scenario, for whoever draws them: here, or in worker processes."""
+"""Which figures a report has of a scenario."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from pathlib import Path
-
-from campaigns.finished import Finished
-from reports.distribution_figure import MOST_ROWS, save_distribution_figure
-from reports.errors_figure import save_errors_figure, unshown_groups
+from reports.distribution_figure import MOST_ROWS, distribution_figure
+from reports.drawing import Drawing
+from reports.errors_figure import errors_figure, unshown_groups
 from reports.fitted import shortened
 from reports.quantity import counted
-from reports.scenario_cases import ScenarioRuns, scenario_runs
-from reports.scenario_figure import save_scenario_figure
+from reports.scenario_cases import ScenarioRuns
+from reports.scenario_figure import scenario_figure
+from reports.scenario_head import scenario_head_height
 from reports.scenario_map import LOOKS
-from reports.slug import slug
 
 _NAMED = 60  # characters of a case's name
 
 
-@dataclass(frozen=True, slots=True)
-class Drawing:
-    """A figure that is not drawn yet: `draw(runs, file, page)`, all of which can be sent to another process.
-
-    `stem` is the name of its file without the ending, `caption` what stands under it.
+def scenario_figures(runs: ScenarioRuns, stem: str) -> list[Drawing]:
+    """The figures of a scenario: the map, the errors, and the trials where a case has several; none where nothing was
+    flown. Their names begin with `stem`.
     """
-
-    stem: str
-    caption: str
-    draw: Callable[[ScenarioRuns, str | Path, bool], None]
-    runs: ScenarioRuns
-
-
-def scenario_figures(finished: Finished) -> list[tuple[ScenarioRuns, list[Drawing]]]:
-    """Each scenario of a campaign with its figures: the map, the errors, and the trials where a case has several.
-
-    A scenario on which nothing was flown has none.
-    """
-    return [
-        (runs, _figures(runs, f"scenario-{i}-{slug(runs.name)}")) for i, runs in enumerate(scenario_runs(finished), 1)
-    ]
-
-
-def _figures(runs: ScenarioRuns, stem: str) -> list[Drawing]:
     if not runs.flown:
         return []
+    head = scenario_head_height(runs)
     figures = [
-        Drawing(f"{stem}-map", map_caption(runs), save_scenario_figure, runs),
-        Drawing(f"{stem}-errors", errors_caption(runs), save_errors_figure, runs),
+        Drawing(f"{stem}-map", scenario_figure, (runs,), map_caption(runs), head),
+        Drawing(f"{stem}-errors", errors_figure, (runs,), errors_caption(runs), head),
     ]
     if any(run.result.case.trials > 1 for run in runs.runs):
-        figures.append(Drawing(f"{stem}-trials", trials_caption(runs), save_distribution_figure, runs))
+        figures.append(Drawing(f"{stem}-trials", distribution_figure, (runs,), trials_caption(runs), head))
     return figures
 
 

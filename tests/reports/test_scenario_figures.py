@@ -5,7 +5,6 @@ import pickle
 import numpy as np
 import pytest
 from overlaps import faults
-from PIL import Image
 from shapely import LineString
 
 from campaigns.statistics import Band
@@ -15,9 +14,10 @@ from reports.errors_figure import MOST_PANELS, errors_figure
 from reports.fitted import shortened
 from reports.scenario_cases import ScenarioRuns, named, within_group
 from reports.scenario_figure import scenario_figure
+from reports.scenario_head import scenario_head_height
 from reports.scenario_map import band_lines
-from reports.scenario_pictures import _figures, errors_caption, map_caption, trials_caption
-from reports.style import style
+from reports.scenario_pictures import errors_caption, map_caption, scenario_figures, trials_caption
+from reports.style import save, style
 
 from .conftest import make_fleet, make_route, make_yard
 from .many_cases import result_like, runs_of, unflown
@@ -68,28 +68,24 @@ def test_every_text_can_be_read_and_the_figure_fits_a_page(runs, draw):
     with style():
         figure = draw(runs)
         assert faults(figure) == []
-        page = draw(runs, page=True)
-    assert page.get_size_inches()[1] <= HIGHEST
-    assert page.get_size_inches()[1] < figure.get_size_inches()[1]  # without the head
+    assert figure.get_size_inches()[1] - scenario_head_height(runs) <= HIGHEST
 
 
 def test_figures_can_be_drawn_by_another_process_and_are_the_same_bytes(tmp_path):
-    for drawing in pickle.loads(pickle.dumps(_figures(made("12 settings"), "scenario-1-map"))):
-        for file in ("a.png", "b.png"):
-            drawing.draw(drawing.runs, tmp_path / file, True)
-        assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
-        with Image.open(tmp_path / "a.png") as image:
-            assert image.width == 1600
+    sent = pickle.loads(pickle.dumps([one.arguments for one in scenario_figures(made("one case, one trial"), "a")]))
+    for drawing, arguments in zip(scenario_figures(made("one case, one trial"), "a"), sent, strict=True):
+        for file, own in (("a.svg", drawing.arguments), ("b.svg", arguments)):
+            with style():
+                save(drawing.draw(*own), tmp_path / file)
+        assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+        assert (tmp_path / "a.svg").stat().st_size < 1_000_000
 
 
 def test_a_scenario_has_figures_of_its_trials_only_where_there_are_several():
-    several, single = (
-        _figures(made("12 settings"), "scenario-1-x"),
-        _figures(made("one case, one trial"), "scenario-2-y"),
-    )
-    assert [one.stem for one in several] == ["scenario-1-x-map", "scenario-1-x-errors", "scenario-1-x-trials"]
-    assert [one.stem for one in single] == ["scenario-2-y-map", "scenario-2-y-errors"]
-    assert _figures(unflown(made("one case, one trial")), "scenario-3-z") == []
+    several, single = (scenario_figures(made(kind), "x") for kind in ("12 settings", "one case, one trial"))
+    assert [one.stem for one in several] == ["x-map", "x-errors", "x-trials"]
+    assert [one.stem for one in single] == ["x-map", "x-errors"]
+    assert scenario_figures(unflown(made("one case, one trial")), "x") == []
 
 
 def test_captions_tell_what_is_left_out():
@@ -139,7 +135,7 @@ def test_the_area_of_a_band_is_its_width_times_the_length():
 def test_cases_differ_by_what_differs():
     runs = made("12 settings")
     assert {run.setting for run in runs.runs} >= {"lqr · 18 km/h", "stanley · 28.8 km/h"}
-    assert list(runs.groups) and set(runs.groups) == set(CONTROLLERS)
+    assert set(runs.groups) == set(CONTROLLERS)
     assert {within_group(run, "lqr") for run, _ in runs.groups["lqr"]} == {
         "18 km/h", "21.6 km/h", "25.2 km/h", "28.8 km/h",
     }  # fmt: skip
