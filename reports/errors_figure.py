@@ -55,7 +55,7 @@ def errors_figure(runs: ScenarioRuns) -> Figure:
     draw_scenario_head(figure, runs)
     shown = [outcome for own in groups.values() for _, outcome in own]
     corridor = max(outcome.corridor for outcome in shown)
-    ceiling, longest = _ceiling(shown), max(outcome.path.length for outcome in shown)
+    ceiling, longest = _ceiling(groups), max(outcome.path.length for outcome in shown)
     wide = (_FULL - (columns - 1) * _GAP) / columns
     for i, (name, own) in enumerate(groups.items()):
         box = Box(LEFT + i % columns * (wide + _GAP), first + i // columns * (high + _BETWEEN), wide, high)
@@ -63,16 +63,21 @@ def errors_figure(runs: ScenarioRuns) -> Figure:
         _draw_errors(axes, name, own, looks)
         _scale(axes, corridor, ceiling, high)
         _label(axes, box, longest, lowest=i + columns >= len(groups))
-    _draw_key(figure, looks, key, shown, ceiling)
+    _draw_key(figure, looks, key, shown, ceiling, runs.banded)
     if efforts:
         draw_efforts(figure, bottom, efforts)
     return figure
 
 
-def _ceiling(outcomes: Sequence[Outcome]) -> float:
-    """Where the axis of all errors ends [m]: it holds them all, and the corridor where they come near it."""
-    corridor = max(outcome.corridor for outcome in outcomes)
-    largest = max(_largest(outcome) for outcome in outcomes)
+def _ceiling(groups: Mapping[str, Sequence[tuple[Run, Outcome]]]) -> float:
+    """Where the axis of all errors ends [m]: it holds them all with their bands, and the corridor where they come near
+    it.
+    """
+    runs = [one for own in groups.values() for one in own]
+    corridor = max(outcome.corridor for _, outcome in runs)
+    bands = [run.result.statistics.band for run, _ in runs]
+    edges = [float(np.abs(edge).max()) for band in bands if band is not None for edge in (band.p5, band.p95)]
+    largest = max([*(_largest(outcome) for _, outcome in runs), *edges])
     if largest < _NEAR * corridor:
         return _ROOM * largest or corridor
     return _ROOM * max(largest, corridor) if largest <= _FAR * corridor else 2.0 * largest
@@ -115,7 +120,7 @@ def _draw_errors(axes: Axes, name: str, own: Sequence[tuple[Run, Outcome]], look
     largest = max(_largest(outcome) for _, outcome in own)
     told = axes.set_title(f"max {text(largest, 'm')}", loc="right", fontsize=7.5, fontweight="normal", color=MUTED)
     title = axes.set_title(shortened(name, _NAMED))
-    fit(title, axes.bbox.width - told.get_window_extent().width - 12.0, 7.0)
+    fit(title, axes.bbox.width - told.get_window_extent().width - 24.0, 7.0)
 
 
 def _label(axes: Axes, box: Box, longest: float, lowest: bool) -> None:
@@ -130,7 +135,7 @@ def _label(axes: Axes, box: Box, longest: float, lowest: bool) -> None:
 
 
 def _draw_key(
-    figure: Figure, looks: Mapping[str, Look], top: float, outcomes: Sequence[Outcome], ceiling: float
+    figure: Figure, looks: Mapping[str, Look], top: float, outcomes: Sequence[Outcome], ceiling: float, banded: bool
 ) -> None:
     """Whose line is which, the corridor and the band."""
     own = {name: look for name, look in looks.items() if look is not OTHERS}
@@ -144,7 +149,8 @@ def _draw_key(
     wider = ", wider than the axis" if corridors[0] > ceiling else ""
     wider = ", beyond it the axis is logarithmic" if ceiling > _ROOM * _FAR * corridors[-1] else wider
     entries.append(Patch(facecolor=CORRIDOR, alpha=0.3, label=f"corridor ± {width}{wider}"))
-    entries.append(Patch(facecolor=MUTED, alpha=0.35, label="90 % of the trials"))
+    if banded:
+        entries.append(Patch(facecolor=MUTED, alpha=0.35, label="90 % of the trials"))
     figure.legend(
         handles=entries, loc="upper left", ncols=min(3, len(entries)), columnspacing=1.2, handletextpad=0.5,
         labelspacing=0.45, borderaxespad=0.0, handlelength=2.4,

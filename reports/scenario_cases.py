@@ -79,6 +79,11 @@ class ScenarioRuns:
         return groups
 
     @property
+    def banded(self) -> bool:
+        """Whether there are bands over trials."""
+        return any(run.result.statistics.band is not None for run in self.runs)
+
+    @property
     def driven(self) -> str:
         """ "driven" where all vehicles are on the ground, else "flown"."""
         grounded = [outcome.limits.kind == "ground" for _, outcome in self.flown]

@@ -58,7 +58,11 @@ def scenario_figure(runs: ScenarioRuns) -> Figure:
     shares = list(groups)[:MOST_SHARES] if len(groups) > 1 else []
     marked = focus(flown[0][1])
     top = scenario_head_height(runs)
-    entries = [*_named(looks, tracks), *driven_marks(runs.driven), *ground_marks([outcome for _, outcome in flown])]
+    entries = [
+        *_named(looks, tracks),
+        *driven_marks(runs.driven, runs.banded),
+        *ground_marks([outcome for _, outcome in flown]),
+    ]
     plan = scenario_layout(view.width / view.height, top, marked is not None, len(shares), -(-(len(entries) + 1) // 4))
     figure = new_figure(plan.height)
     draw_scenario_head(figure, runs)
@@ -121,7 +125,7 @@ def _draw_share(
     """
     axes, view = place(figure, box.left, box.top, box.width, box.height), view.filled(box.width / box.height)
     draw_ground(axes, own[0][1], view)
-    draw_planned(axes, [one.path for _, outcome in own for one in members_of(outcome)], view, look, 2.0)
+    draw_planned(axes, [one.path for _, outcome in own for one in members_of(outcome)], view, look, 2.6)
     _draw_tracks(axes, own, view, look["color"])
     good = sum(run.result.verdict == TRACKWORTHY for run, _ in own)
     title = axes.set_title(shortened(name, _TITLE), pad=14.0)

@@ -49,7 +49,7 @@ def _maps(aspect: float, top: float, near: bool) -> tuple[Box, Box | None]:
     if not near:
         return Box(LEFT, top, _FULL, min(_HIGHEST, max(_LOWEST, _FULL / aspect))), None
     if aspect > _WIDE:
-        world = Box(LEFT, top, _FULL, min(_HIGHEST, max(1.1, _FULL / aspect)))
+        world = Box(LEFT, top, _FULL, min(_HIGHEST, max(_LOWEST, _FULL / aspect)))
         return world, Box(LEFT, world.bottom + _LABELS + _CAPTION, _FULL, 1.7)
     room = _FULL - _GAP
     width = min(room - _NEAR, max(0.45 * room, _HIGHEST * aspect))

@@ -54,7 +54,7 @@ LOOKS: tuple[Look, ...] = (
 )
 PLAIN: Look = {"color": INK, "linestyle": DASHES}  # of the one path there is
 OTHERS: Look = {"color": OBSTACLE_EDGE, "linestyle": "-", "alpha": 0.7}
-_PLANNED, _DRIVEN = 1.5, 0.8  # [pt] of a planned path, and of a track beside it
+_PLANNED, _DRIVEN = 1.5, 0.7  # [pt] of a planned path, and of a track beside it
 _FINE, _MOST_POINTS = 0.25, 1500  # pixels that a line may be simplified by; points of a track
 _BAND_STEPS = 800  # along a path
 _FARTHEST = 4.0  # half-widths of the corridor
@@ -165,13 +165,13 @@ def ground_marks(outcomes: Sequence[Outcome]) -> list[Line2D]:
     return [Line2D([], [], **look) for look in looks]
 
 
-def driven_marks(driven: str) -> list[Line2D | Patch]:
+def driven_marks(driven: str, banded: bool) -> list[Line2D | Patch]:
     """What the looks of tracks and bands mean, `driven` or flown, for a legend."""
-    return [
+    entries: list[Line2D | Patch] = [
         Line2D([], [], color=INK, linewidth=_DRIVEN, label=f"{driven}, worst trial"),
         Line2D([], [], color=VERMILION, linewidth=_DRIVEN + 0.4, label="beyond the corridor"),
-        Patch(facecolor=MUTED, alpha=0.4, label="90 % of the trials"),
     ]
+    return entries + ([Patch(facecolor=MUTED, alpha=0.4, label="90 % of the trials")] if banded else [])
 
 
 def _window(view: Extent) -> Polygon:

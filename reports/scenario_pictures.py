@@ -39,7 +39,7 @@ def map_caption(runs: ScenarioRuns) -> str:
         f"{runs.name}: the planned paths, the worst trial of every case as {runs.driven}, and from near the worst "
         f"place, of {worst}."
     ]
-    if any(run.result.statistics.band is not None for run in runs.runs):
+    if runs.banded:
         parts.append(
             "Shaded: where 90 % of the trials are, to scale, where it is wider than a pixel and near the path."
         )
