@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
 
@@ -11,6 +10,7 @@ from reports.body import draw_body
 from reports.extent import Extent
 from reports.fitted import fit
 from reports.focus import Focus
+from reports.frame import draw_frame
 from reports.layout import Box
 from reports.legend import mark_look
 from reports.scenario_cases import Run
@@ -19,12 +19,8 @@ from reports.style import INK, MARK, Look, place
 from reports.ticks import ticks_from
 from tracking.outcome import Outcome
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
 _SMALLEST = 7.0  # [pt]
-_SMALLEST_FRAME = 0.03  # of the map's larger side
 
 
 def draw_worst_place(
@@ -56,15 +52,3 @@ def draw_worst_place(
     )  # fmt: skip
     for text in (title, told):
         fit(text, room.width * figure.dpi, _SMALLEST)
-
-
-def draw_frame(axes: Axes, near: Extent, colour: str = INK) -> None:
-    """Mark on the map what is shown from near: its corners, so that it does not look like another edge of the map."""
-    low, high = axes.get_xlim()
-    seen = near.grown(max(0.0, _SMALLEST_FRAME * (high - low) - near.width) / 2)
-    x, y = [seen.x_min, seen.x_max], [seen.y_min, seen.y_max]
-    reach = 0.22 * min(seen.width, seen.height)
-    for i, across in ((0, reach), (1, -reach)):
-        for j, up in ((0, reach), (1, -reach)):
-            corner = [(x[i] + across, x[i], x[i]), (y[j], y[j], y[j] + up)]
-            axes.plot(*corner, color=colour, linewidth=1.1, solid_capstyle="butt", zorder=6)
