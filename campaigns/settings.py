@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 
 from campaigns.case import Case
+from campaigns.conditions import known_wind
 from planners.scenario import stem_of
 from planners.units import parse_speed
 
@@ -31,6 +32,8 @@ def settings(case: Case) -> Settings:
     stated["others"] = [Path(other).name for other in case.others]
     stated["scenario"] = stem_of(case.scenario or "")
     stated["vehicle"] = Path(case.vehicle).stem
+    if (wind := known_wind(case.conditions)) is not None:  # however it is written
+        stated["conditions"]["wind"] = {"speed": wind.speed, "from": round(wind.from_deg, 6) if wind.speed else 0.0}
     if case.speed is not None:
         stated["speed"] = parse_speed(case.speed)
     return dict(_flat({key: value for key, value in stated.items() if key not in _UNSAID}))
