@@ -18,7 +18,7 @@ def workflow_commands(check: Check) -> str:
 
 def markdown(check: Check) -> str:
     """The step's summary."""
-    lines = [f"### trackworthy check: {_cell(check.campaign)}", "", conclusion(check), ""]
+    lines = [f"### trackworthy check: {cell(check.campaign)}", "", conclusion(check), ""]
     if check.findings:
         lines += ["| case | what | old | new | allowed | worst trial |", "| --- | --- | --- | --- | --- | --- |"]
         lines += [_row(finding) for finding in check.findings]
@@ -27,7 +27,7 @@ def markdown(check: Check) -> str:
             fence = _fence("\n".join(commands))
             lines += ["", "Replay the worst trials:", "", fence, *dict.fromkeys(commands), fence]
     if check.improved:
-        lines += ["", f"Improved: {_cell(improved_words(check))}"]
+        lines += ["", f"Improved: {cell(improved_words(check))}"]
     return "\n".join(lines) + "\n"
 
 
@@ -45,10 +45,10 @@ def _row(finding: Finding) -> str:
     else:
         values = [with_unit(one.old, one), with_unit(one.new, one), f"+{with_unit(one.limit, one)}"]
         cells = [finding.case, one.metric, *values, f"{one.trial}"]
-    return f"| {' | '.join(_cell(cell) for cell in cells)} |"
+    return f"| {' | '.join(cell(one) for one in cells)} |"
 
 
-def _cell(text: str) -> str:
+def cell(text: str) -> str:
     """Text as a cell of a table: no line breaks, no bars, no markup."""
     for character in "\\`*_<>|[]":
         text = text.replace(character, f"\\{character}")
