@@ -13,6 +13,7 @@ from reports.versus_words import outcome_words, share_text
 
 _DIGITS, _FINE = 4, 3  # significant, of values and of differences
 _MOST_NAMES = 8  # in a line
+_UNITS = {"speed": " m/s", "altitude": " m", "corridor": " m", "separation": " m"}  # of settings
 
 
 # Metric, A, B, B - A, the interval of that, their unit, and what it comes to; angles in degrees, shares in per cent
@@ -136,13 +137,15 @@ def _shown_unit(unit: str) -> tuple[float, str]:
 
 def change_words(change: Change) -> str:
     """ "controller lqr → stanley"."""
-    return f"{change.key} {_value(change.old)} → {_value(change.new)}"
+    unit = _UNITS.get(change.key, "")
+    old, new = (f"{_value(value)}{unit if isinstance(value, float) else ''}" for value in (change.old, change.new))
+    return f"{change.key} {old} → {new}"
 
 
 def names(cases: tuple[str, ...]) -> str:
     """A few names, and how many more there are."""
     more = f" and {len(cases) - _MOST_NAMES} more" if len(cases) > _MOST_NAMES else ""
-    return ", ".join(cases[:_MOST_NAMES]) + more
+    return "; ".join(cases[:_MOST_NAMES]) + more
 
 
 def _value(value: Any) -> str:
