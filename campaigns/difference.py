@@ -89,13 +89,12 @@ def difference(
 
 
 def paired(before: Sample, after: Sample) -> tuple[Floats, Floats] | None:
-    """The values (P,) of the seeds that are in both, in one order; None where there is no such seed."""
-    place = {seed: i for i, seed in enumerate(before.seeds)}
-    common = [(place[seed], j) for j, seed in enumerate(after.seeds) if seed in place]
+    """The values (P,) of the seeds that are in both; None where there is no such seed."""
+    old, new = ({seed: i for i, seed in enumerate(one.seeds)} for one in (before, after))
+    common = sorted(old.keys() & new.keys())  # in one order, whichever comes first
     if not common:
         return None
-    old, new = zip(*common, strict=True)
-    return before.values[list(old)], after.values[list(new)]
+    return before.values[[old[seed] for seed in common]], after.values[[new[seed] for seed in common]]
 
 
 def change_interval(samples: tuple[Floats, ...]) -> tuple[float, float]:

@@ -12,7 +12,6 @@ from campaigns.campaign import Campaign
 from campaigns.difference import BETTER, MIXED, SAME, UNLIKE, WORSE, Difference, overall
 from campaigns.finished import read_campaign, read_results
 from campaigns.gate import FALSE_ALARMS
-from campaigns.limits import DEFAULT_LIMITS
 from campaigns.manifest import Manifest
 from campaigns.matching import By, matched
 from campaigns.seeds import file_digest
@@ -128,7 +127,7 @@ def changes_of(pairs: Sequence[CasePair]) -> list[tuple[Change, int]]:
 
 
 def _pair(a: Side, b: Side, old: CaseResult, new: CaseResult, chance: float) -> CasePair:
-    found = held(old, new, DEFAULT_LIMITS | b.campaign.check, chance).values()
+    found = held(old, new, b.campaign.check, chance).values()
     ranked = sorted(found, key=lambda one: (one.outcome not in UNLIKE, -one.size))
     return CasePair(old, new, tuple(_changes(_set(a, old), _set(b, new))), tuple(ranked))
 

@@ -61,11 +61,12 @@ class Group:
     alike: bool
 
 
-def versus_groups(results: Sequence[CaseResult], limits: Mapping[str, Limit] = DEFAULT_LIMITS) -> list[Group]:
+def versus_groups(results: Sequence[CaseResult], limits: Mapping[str, Limit]) -> list[Group]:
     """Every group of two cases or more, controllers first, then planners, then vehicles; in the order of the cases.
 
     Planners and path files are compared where they have a scenario in common. Differences are over trials of the same
     seed where there are such; chance may raise one false alarm in twenty of all that is compared here together.
+    `limits` are what the campaign's own gate allows, beside the default ones.
     """
     grouped = [(dimension, group) for dimension in COMPARED for group in _groups(results, dimension)]
     count = sum((len(group) - 1) * len(_metrics(group)) for _, group in grouped)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from campaigns.side_by_side import SideBySide
 from reports.compare_words import case_lines, conclusion, footnote, heads, names, rest_words, rows, telling
-from reports.github import cell
+from reports.markdown import cell, row
 
 
 def side_by_side_markdown(found: SideBySide) -> str:
@@ -20,7 +20,7 @@ def side_by_side_markdown(found: SideBySide) -> str:
                 "| metric | A | B | B − A | 95 % interval | | |",
                 "| --- | ---: | ---: | ---: | ---: | --- | --- |",
             ]
-            lines += [f"| {' | '.join(map(cell, one))} |" for one in told]
+            lines += [row(one) for one in told]
         if rest := rest_words(pair):
             lines += ["", cell(rest)]
     if alike:

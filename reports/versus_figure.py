@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _LEFT, _NAMES, _GAP, _RIGHT = 0.14, 1.45, 0.22, 0.12  # [in]
 _SHARES, _ANSWERS = 1.25, 0.62  # [in] of the last column: "18 of 20 (68 to 99 %)", "yes"
-_TITLE, _LINE, _AXIS, _ROW, _HEAD, _KEY = 0.62, 0.15, 0.46, 0.22, 0.26, 0.22  # [in] heights
+_ABOVE, _LINE, _TITLE, _AXIS, _ROW, _HEAD, _KEY = 0.33, 0.15, 0.14, 0.46, 0.22, 0.26, 0.22  # [in] heights
 _UNNAMED = 0.08  # [in] above a group that needs no name
 _LETTERS, _ABOUT = 22, 118  # of a row's name, of a line below the title
 _DASHES = (0, (5, 2))
@@ -54,11 +54,15 @@ def save_versus_figure(family: Family, file: str | Path) -> None:
         save(versus_figure(family), file)
 
 
+def head_of(family: Family) -> float:
+    """The height of the title and what stands below it [in], which a page may say itself."""
+    return _ABOVE + _LINE * len(_about(family))
+
+
 def versus_figure(family: Family) -> Figure:
     """The figure itself; to be called, and saved, within `style.style()`."""
     shown = columns(family.groups)
-    about = textwrap.wrap(family.about, _ABOUT, max_lines=2, placeholder=" …")
-    start = _TITLE + _LINE * max(0, len(about) - 1)
+    about, start = _about(family), _TITLE + head_of(family)
     blocks = list(zip(family.groups, family.names, strict=True))
     tall = sum(_head(name) + _ROW * len(group.members) for group, name in blocks)
     figure = new_figure(start + tall + _AXIS + _KEY)
@@ -171,6 +175,10 @@ def _corridor(group: Group, column: Column) -> float | None:
 def _last_column(groups: Sequence[Group]) -> float:
     several = any(member.result.statistics.tried > 1 for group in groups for member in group.members)
     return _SHARES if several else _ANSWERS
+
+
+def _about(family: Family) -> list[str]:
+    return textwrap.wrap(family.about, _ABOUT, max_lines=2, placeholder=" …")
 
 
 def _head(name: str) -> float:

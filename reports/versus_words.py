@@ -57,18 +57,16 @@ def families(groups: Sequence[Group]) -> list[Family]:
     return [_family(one) for one in found.values()]
 
 
-def versus_tables(groups: Sequence[Group]) -> list[Table]:
-    """A table for each family, with a block a group; every cell is text."""
-    return [
-        {
-            "title": family.title,
-            "about": family.about,
-            "scenario": family.scenario,
-            "note": note(family),
-            "blocks": [_block(group, name) for group, name in zip(family.groups, family.names, strict=True)],
-        }
-        for family in families(groups)
-    ]
+def versus_table(family: Family) -> Table:
+    """A block for each group of the family; every cell is text."""
+    return {
+        "title": family.title,
+        "about": family.about,
+        "dimension": family.groups[0].dimension,
+        "scenario": family.scenario,
+        "note": note(family),
+        "blocks": [_block(group, name) for group, name in zip(family.groups, family.names, strict=True)],
+    }
 
 
 def note(family: Family) -> str:
