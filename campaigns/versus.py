@@ -165,6 +165,8 @@ def _rank(result: CaseResult, alike: bool) -> tuple[float, float, float]:
 def _spreads(result: CaseResult) -> dict[str, Spread]:
     found = {}
     for name, one in samples(result).items():
+        if name == TRACKWORTHY_SHARE:
+            continue  # a share has no spread
         p5, median, p95 = (float(value) for value in np.percentile(one.values, [5, 50, 95]))
         found[name] = Spread(median, p5, p95, len(one.values))
     return found

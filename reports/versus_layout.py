@@ -45,19 +45,30 @@ def columns(groups: Sequence[Group]) -> list[Column]:
 
 
 def pages(family: Family) -> list[Family]:
-    """The family in parts that fit on a page each; a group with more members than that stays whole."""
-    parts: list[list[int]] = [[]]
-    used = 0
-    for i, group in enumerate(family.groups):
-        rows = len(group.members) + _HEAD_ROWS
-        if parts[-1] and used + rows > MOST_ROWS:
+    """The family in parts that fit on a page each; where a group does not, its `reference` may be on another part."""
+    blocks = [block for one in zip(family.groups, family.names, strict=True) for block in _split(*one)]
+    parts: list[list[tuple[Group, str]]] = [[]]
+    for group, name in blocks:
+        used = sum(len(one.members) + _HEAD_ROWS for one, _ in parts[-1])
+        if parts[-1] and used + len(group.members) + _HEAD_ROWS > MOST_ROWS:
             parts.append([])
-            used = 0
-        parts[-1].append(i)
-        used += rows
+        parts[-1].append((group, name))
     return [
-        replace(family, groups=tuple(family.groups[i] for i in part), names=tuple(family.names[i] for i in part))
+        replace(family, groups=tuple(group for group, _ in part), names=tuple(name for _, name in part))
         for part in parts
+    ]
+
+
+def _split(group: Group, name: str) -> list[tuple[Group, str]]:
+    """A group, in pieces where it has more members than a page has rows."""
+    most = MOST_ROWS - _HEAD_ROWS
+    starts = range(0, len(group.members), most)
+    return [
+        (
+            replace(group, members=group.members[start : start + most], reference=group.reference - start),
+            f"{name} ({i} of {len(starts)})".strip() if len(starts) > 1 else name,
+        )
+        for i, start in enumerate(starts, start=1)
     ]
 
 

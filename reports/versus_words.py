@@ -11,7 +11,7 @@ from campaigns.conditions import known_wind
 from campaigns.difference import CHANCE, CONFIDENCE, SAME, SMALL, Difference
 from campaigns.settings import key_of, settings, without
 from campaigns.summary import CaseResult
-from campaigns.versus import Group, Member, unit_of
+from campaigns.versus import TRACKWORTHY_SHARE, Group, Member, unit_of
 from planners.units import parse_speed
 from reports.condition_words import condition_words
 from reports.fleet_words import GROUND
@@ -165,7 +165,9 @@ def _row(group: Group, member: Member, reference: bool) -> Table:
 def _cell(member: Member, metric: str) -> dict[str, str]:
     told = {"value": "n/a", "spread": "", "change": "", "outcome": ""}
     unit = unit_of(member.result, metric)[0]
-    if spread := member.spreads.get(metric):
+    if metric == TRACKWORTHY_SHARE:
+        told["value"] = text(member.result.statistics.share, unit)
+    elif spread := member.spreads.get(metric):
         told["value"] = text(spread.median, unit)
         if spread.count > 1:
             told["spread"] = _span(spread.p5, spread.p95, unit)
