@@ -27,7 +27,7 @@ _LEFT, _NAMES, _GAP, _RIGHT = 0.14, 1.45, 0.22, 0.12  # [in]
 _SHARES, _ANSWERS = 1.25, 0.62  # [in] of the last column: "18 of 20 (68 to 99 %)", "yes"
 _ABOVE, _LINE, _TITLE, _AXIS, _ROW, _HEAD, _KEY = 0.33, 0.15, 0.14, 0.46, 0.22, 0.26, 0.22  # [in] heights
 _UNNAMED = 0.08  # [in] above a group that needs no name
-_LETTERS, _ABOUT = 22, 118  # of a row's name, of a line below the title
+_LETTERS, _ABOUT = 20, 118  # of a row's name, of a line below the title
 _DASHES = (0, (5, 2))
 _REFERENCE, _ALIKE = "reference", "alike"
 # The marks, told apart by their shapes as well
@@ -178,7 +178,9 @@ def _last_column(groups: Sequence[Group]) -> float:
 
 
 def _about(family: Family) -> list[str]:
-    return textwrap.wrap(family.about, _ABOUT, max_lines=2, placeholder=" …")
+    """Broken between the settings, not within."""
+    kept = family.about.replace(" ", "\N{NO-BREAK SPACE}").replace("\N{NO-BREAK SPACE}·\N{NO-BREAK SPACE}", " · ")
+    return textwrap.wrap(kept, _ABOUT, max_lines=2, placeholder=" …")
 
 
 def _head(name: str) -> float:

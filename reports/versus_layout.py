@@ -86,7 +86,8 @@ def _column(groups: Sequence[Group], metric: str) -> Column:
         return Column(metric, factor, unit, low / 1.3, high * 1.3, True)
     room = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
     start = 0.0 if 0.0 <= low < 0.5 * high else low - room
-    return Column(metric, factor, unit, start, high + room, False)
+    end = min(high + room, 100.0) if unit == "%" and high <= 100.0 else high + room
+    return Column(metric, factor, unit, start, end, False)
 
 
 def _shown(unit: str, largest: float) -> tuple[float, str]:
