@@ -47,9 +47,8 @@ def heads(found: SideBySide) -> list[str]:
         lines.append(f"run: {'; '.join(made)}")
     total = len(found.pairs)
     for change, count in changes_of(found.pairs):
-        lines.append(
-            f"set, in {'all' if count == total else count} of {counted(total, 'case')}: {change_words(change)}"
-        )
+        where = "every case" if count == total else f"{count} of {counted(total, 'case')}"
+        lines.append(f"set in {where}: {change_words(change)}")
     for side, only in (("A", found.only_a), ("B", found.only_b)):
         if only:
             lines.append(f"only in {side}: {names(only)}")

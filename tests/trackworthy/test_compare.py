@@ -45,7 +45,7 @@ def test_the_table_tells_what_was_changed_and_what_came_of_it(folders, compare, 
     code, out, err = compare(*folders, columns=columns)
     assert (code, err) == (0, "")
     lines = out.splitlines()
-    assert "set, in all of 1 case: controller lqr → stanley" in lines
+    assert "set in every case: controller lqr → stanley" in lines
     assert NAME in lines
     (p95,) = (line.split() for line in lines if line.startswith("cross_track_p95"))
     assert p95[-2:] == ["m", "better"]
