@@ -29,9 +29,10 @@ def made_result(
     worthy: Sequence[bool] | None = None,
     seeds: Sequence[int] | None = None,
     number: int = 1,
+    errors: int = 0,
     **case: Any,
 ) -> CaseResult:
-    """A case of as many trials as each of `metrics` has values."""
+    """A case of as many trials as each of `metrics` has values, the last `errors` of which failed to run."""
     count = len(next(iter(metrics.values())))
     rows = []
     for i in range(count):
@@ -39,6 +40,9 @@ def made_result(
         good = worthy is None or worthy[i]
         profile = np.zeros(PIECES, np.float32).tobytes()
         seed = i + 1 if seeds is None else seeds[i]
-        rows.append(Row(i + 1, seed, "", "", good, good, 0.5, "", "completed", table, profile))
+        failed = "it fell over" if i >= count - errors else ""
+        rows.append(
+            Row(i + 1, seed, failed, "machinery" if failed else "", good, good, 0.5, "", "completed", table, profile)
+        )
     stated = Case(**{"vehicle": "truck", "path": "road.csv", "name": f"case {number}", "trials": count, **case})
     return CaseResult(number, stated, statistics(rows, {name: way for name, (_, way) in UNITS.items()}), UNITS)

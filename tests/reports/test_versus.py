@@ -2,6 +2,7 @@
 
 import json
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -161,4 +162,6 @@ def test_a_report_gets_tables_and_the_figures_they_name():
     assert [table["figures"] for table in tables] == [["versus-1-1-controllers-on-road.svg"]]
     assert [drawing.svg for drawing in drawings] == tables[0]["figures"]
     assert 0.0 < drawings[0].head < 1.0
+    (part,) = pickle.loads(pickle.dumps(drawings[0].arguments))  # other processes draw
+    assert part.names == ("8.33 m/s (30 km/h)", "12.5 m/s (45 km/h)")
     assert versus_section(results(controllers=["lqr"]), {}) == ([], [])
