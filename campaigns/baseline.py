@@ -9,10 +9,9 @@ from pathlib import Path
 
 import msgspec
 
-from campaigns.campaign import Campaign, load_campaign
-from campaigns.finished import check_finished, read_results
+from campaigns.campaign import Campaign
+from campaigns.finished import read_campaign, read_results
 from campaigns.limits import DEFAULT_LIMITS
-from campaigns.resolved import RESOLVED
 from campaigns.summary import CaseResult
 from planners.errors import InputError
 from planners.files.text import write_text
@@ -60,8 +59,7 @@ class Record:
 
 def read_record(folder: Path) -> Record:
     """The results in `folder`; raises `InputError` where there are none, or not all."""
-    check_finished(folder)
-    campaign = load_campaign(str(folder / RESOLVED))
+    _, campaign = read_campaign(folder)
     return record_of(campaign, read_results(campaign, folder), folder)
 
 

@@ -50,8 +50,7 @@ def read_finished(folder: Path, lanes: Lanes) -> Finished:
 
     Outcomes are judged by their tracks. One whose track was not kept is flown again, by the same code only.
     """
-    manifest = check_finished(folder)
-    campaign = load_campaign(str(folder / RESOLVED))
+    manifest, campaign = read_campaign(folder)
     cases = [ready.with_paths_of(folder, {}) for ready in make_ready(campaign)]
     results = read_results(campaign, folder)
     names, same = shown(results), manifest.code == fingerprint()
@@ -66,12 +65,12 @@ def read_finished(folder: Path, lanes: Lanes) -> Finished:
     return Finished(campaign, folder, manifest, results, outcomes, searches, plans)
 
 
-def check_finished(folder: Path) -> Manifest:
-    """What made the results in `folder`; raises `InputError` where there are none."""
+def read_campaign(folder: Path) -> tuple[Manifest, Campaign]:
+    """What made the results in `folder`, and the campaign that they are of; raises `InputError` for no results."""
     manifest = read_manifest(folder / "manifest.json")
     if manifest is None or not (folder / RESOLVED).exists():
         raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
-    return manifest
+    return manifest, load_campaign(str(folder / RESOLVED))
 
 
 def read_results(campaign: Campaign, folder: Path) -> list[CaseResult]:
