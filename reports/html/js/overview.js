@@ -1,0 +1,70 @@
+// What must be known in ten seconds: the verdict, the counts, the worst cases and how to repeat it.
+
+const WORST_SHOWN = 5;
+
+function asExpected() {
+  const searched = (TOLD.searches || []).every((found) => found.rows.every((row) => row.passed !== false));
+  return TOLD.failed === 0 && TOLD.errors === 0 && searched;
+}
+
+function banner() {
+  document.title = `${TOLD.title} – trackworthy`;
+  const fine = asExpected();
+  const rest = [
+    `${TOLD.worthy} trackworthy, ${TOLD.unworthy} not trackworthy`,
+    TOLD.failed > 0 && `${TOLD.failed} against expectation`,
+    TOLD.errors > 0 && `${TOLD.errors} failed to run`,
+    `${DATA.about.trials} ${DATA.about.trials === 1 ? "trial" : "trials"}`,
+  ].filter(Boolean);
+  const count = TOLD.total > 0 && make("div", { class: `count ${fine ? "good" : "bad"}` },
+    String(TOLD.passed), make("small", {}, ` of ${TOLD.total}`));
+  const what = TOLD.total > 0
+    ? [make("strong", {}, TOLD.total === 1 ? "case came out as expected" : "cases came out as expected"), rest.join(" · ")]
+    : [make("strong", {}, fine ? "Searches as expected" : "A search did not come out as expected")];
+  fill(byId("banner"), [
+    make("div", { class: "kicker" }, "TRACKWORTHY · can a real vehicle follow the planned path?"),
+    make("h1", {}, TOLD.title),
+    TOLD.subtitle && make("p", { class: "muted" }, TOLD.subtitle),
+    make("div", { class: `answer${fine ? "" : " bad-edge"}` }, count, make("div", { class: "what" }, what)),
+  ]);
+}
+
+/** Those not as expected first, then those closest to their limits. */
+function worstRows() {
+  const badness = (row) => (row.passed ? 2 : row.verdict === "error" ? 0 : 1);
+  const margin = (row) => (row.margin === null ? -Infinity : row.margin);
+  const order = [...DATA.rows].sort((a, b) => badness(a) - badness(b) || margin(a) - margin(b));
+  const failed = order.filter((row) => !row.passed);
+  return failed.length > 0 ? failed.slice(0, WORST_SHOWN) : order.slice(0, Math.min(3, WORST_SHOWN));
+}
+
+/** The row of that case in what is told, with its reason in words. */
+function toldOf(row) {
+  return TOLD.rows[row.number - 1] || (TOLD.rows || []).find((one) => one.name === row.name) || {};
+}
+
+function worstCases() {
+  const rows = worstRows();
+  if (rows.length === 0) return;
+  const failed = rows.some((row) => !row.passed);
+  const items = rows.map((row) => make("li", {},
+    badge(row.verdict), " ", make("a", { href: `#case-${row.number}` }, row.name),
+    make("span", { class: "muted" }, ` · ${[row.vehicle, row.controller, row.speed_words].filter(Boolean).join(" · ")}`),
+    make("div", {}, plainReason(row))));
+  const left = DATA.rows.filter((row) => !row.passed).length - rows.length;
+  section("worst", failed ? "What did not come out as expected" : "Closest to their limits",
+    make("ul", { class: "worst" }, items),
+    failed && left > 0 && make("p", { class: "muted" }, `and ${left} more, in the table of cases`));
+}
+
+/** Why, in the plain words of the front page where there are such. */
+function plainReason(row) {
+  const front = TOLD.front && Array.isArray(TOLD.front.worst) ? TOLD.front.worst : [];
+  const found = front.find((one) => one.name === row.name);
+  return (found && (found.why || found.sentence || found.text)) || toldOf(row).why || "";
+}
+
+function repeat() {
+  const note = DATA.about.note;
+  section("repeat", "To repeat it", command(DATA.about.command), note && make("p", { class: "muted small" }, note));
+}
