@@ -16,6 +16,7 @@ from reports.names import spoken
 from reports.quantity import number, text
 from reports.trials_words import planned_setting
 from reports.words import speed_words
+from tracking.metric import Margin
 from tracking.outcome import Outcome
 
 
@@ -46,10 +47,24 @@ def _row(result: CaseResult, outcome: Outcome | None) -> dict[str, Json]:
         "share_words": f"{found.trackworthy} of {found.tried}" if result.verdict != ERROR else "",
         "decided": spoken(worst.decided_by) if worst is not None and worst.decided_by else "",
         "margin": score,
-        "margin_words": "" if score is None else f"{'+' if score > 0 else ''}{number(100 * score)} %",
+        **_margin(outcome.verdict.decisive if outcome else None, score),
         "p95": p95.p95 if p95 else None,
         "p95_words": text(p95.p95, "m") if p95 else "",
     }
+
+
+def _margin(decisive: Margin | None, score: float | None) -> dict[str, Json]:
+    """In its unit and as a share of its limit; the share alone where the trial is not shown."""
+    share = "" if score is None else f"{_signed(score)}{number(100 * score)} %"
+    if decisive is None or not math.isfinite(decisive.value):
+        return {"margin_words": share, "margin_share": ""}
+    value = f"{_signed(decisive.value)}{text(decisive.value, decisive.metric.unit)}"
+    alike = decisive.metric.unit == "share" or decisive.requirement.limit == 0.0
+    return {"margin_words": value, "margin_share": "" if alike else share}
+
+
+def _signed(value: float) -> str:
+    return "+" if value > 0.0 else ""
 
 
 def path_name(result: CaseResult) -> str:

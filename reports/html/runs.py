@@ -7,6 +7,7 @@ import json
 from campaigns.finished import Finished
 from campaigns.summary import CaseResult
 from reports.extent import whole, whole_fleet
+from reports.focus import focus
 from reports.html.kept import Kept, kept_trials, members_of, replayed
 from reports.html.vehicle import body_data, vehicle_data
 from reports.html.world import World
@@ -65,7 +66,7 @@ def _case(result: CaseResult, outcome: Outcome, world: World, most: int) -> dict
         "decides": fleet.member if fleet else 0,
         "replan": result.case.replan,
         "samples": most,
-        "runs": [_run(trial, outcome, vehicles)],
+        "runs": [{**_run(trial, outcome, vehicles), "focus": _focus(outcome)}],
         "left_out": 0,
     }
 
@@ -95,6 +96,23 @@ def _run(trial: int, outcome: Outcome, vehicles: list[Json]) -> dict[str, Json]:
         "wind": [round(wind.east, 4), round(wind.north, 4)],
         "wind_words": wind_words(wind),
         "vehicles": vehicles,
+    }
+
+
+def _focus(outcome: Outcome) -> Json:
+    """The place that the figures mark [m], when the vehicle is there on the clock of all [s], and what it is."""
+    marked, fleet = focus(outcome), outcome.fleet
+    if marked is None or marked.index is None:
+        return None
+    own = fleet.members[fleet.member] if fleet else outcome
+    clock = float(own.track["t"][marked.index]) + (fleet.departures[fleet.member] if fleet else 0.0)
+    return {
+        "x": round(marked.x, 3),
+        "y": round(marked.y, 3),
+        "clock": round(clock, 3),
+        "title": marked.title,
+        "label": marked.label,
+        "alarm": marked.alarm,
     }
 
 

@@ -1,6 +1,6 @@
 // How the vehicle holds itself: an artificial horizon for aircraft, the front wheels of a truck.
 
-const DIAL = { width: 190, height: 176, radius: 74, x: 95, y: 80 };
+const DIAL = { width: 240, height: 180, radius: 74, x: 120, y: 80 };
 const PER_DEGREE = 2.2; // [px] of pitch
 
 function drawAttitude(canvas, one, state) {

@@ -63,12 +63,14 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   const mapBox = make("div", { class: "map-box" });
   const mapPlot = make("div", { class: "plot", id: "map", role: "img", "aria-label": `Map of ${row.name}: obstacles, planned path, corridor and track` });
   const canvas = make("canvas", { id: "vehicles", "aria-hidden": "true" });
+  const sides = (one.view[2] - one.view[0]) / (one.view[3] - one.view[1]);
   const attitude = make("canvas", { class: "attitude", role: "img", "aria-label": one.kind === "ground" ? "Steering of the front wheels" : "Attitude: bank and pitch" });
   const plotsBox = make("div", { class: "plots-box" });
   const plots = make("div", { id: "plots", role: "img", "aria-label": `Error and other series of ${row.name}` });
   const cursor = make("div", { class: "cursor" });
   const over = make("select", { id: "over", onchange: () => drawPlots() },
     make("option", { value: "time" }, "time"), make("option", { value: "distance" }, "distance"));
+  const own = make("input", { type: "checkbox", id: "own-scale", onchange: () => drawPlots() });
   const live = readouts(vehicles[followed], one.kind);
   fill(mapBox, [mapPlot, canvas]);
   fill(plotsBox, [plots, cursor]);
@@ -77,13 +79,15 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   let following = false;
   let moved = 0;
   const player = new Player(vehicles, () => show());
+  const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${run.focus.title}`);
   const panel = controls(player, (on) => { following = on; moved = 0; if (!on) wholeMap(); show(); });
+  if (worst) panel.element.append(worst);
   stage.replaceChildren();
   fill(stage, [choices(row, one, index, followed, again), mapLegend(one, run, vehicles),
     make("div", { class: "stage" }, make("div", {}, mapBox, panel.element,
       make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")),
     make("div", { class: "instruments" }, attitude, live.element)),
-    make("div", { class: "player" }, make("label", {}, "plots over", over)), plotsBox]);
+    make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale, not the corridor's")), plotsBox]);
 
   function show() {
     const states = vehicles.map((vehicle) => stateAt(vehicle, player.clock));
@@ -92,7 +96,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     drawAttitude(attitude, one, states[followed]);
     if (scale) {
       if (following) followVehicle(states[followed]);
-      const [at] = [drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed)[followed]];
+      const at = drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed)[followed];
       canvas.dataset.x = at[0].toFixed(1);
       canvas.dataset.y = at[1].toFixed(1);
     }
@@ -129,7 +133,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
 
   function drawPlots() {
     const told = panelTraces(vehicles, followed, over.value);
-    const layout = panelLayout(told.panels, vehicles, told.label);
+    const layout = panelLayout(told.panels, vehicles, told.label, own.checked);
     plots.style.height = `${layout.height}px`;
     return window.Plotly.react(plots, told.traces, layout, CONFIG).then(() => {
       plotted = told;
@@ -151,6 +155,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   show();
   withPlotly(async () => {
     if (gone) return;
+    mapBox.style.height = `${Math.round(Math.min(640, Math.max(300, mapBox.clientWidth / sides + 60)))}px`;
     scale = await drawMap(mapPlot, one, run, vehicles);
     await drawPlots();
     if (gone) return;

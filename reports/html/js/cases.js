@@ -8,10 +8,10 @@ const COLUMNS = [
   { key: "controller", head: "controller" },
   { key: "speed", head: "speed", number: true, words: "speed_words" },
   { key: "verdict", head: "verdict" },
-  { key: "share", head: "trackworthy trials", number: true, words: "share_words" },
+  { key: "share", head: "trackworthy", number: true, words: "share_words" },
   { key: "decided", head: "decided by" },
-  { key: "margin", head: "margin of its limit", number: true, words: "margin_words" },
-  { key: "p95", head: "95 % of the way within", number: true, words: "p95_words" },
+  { key: "margin", head: "margin", number: true, words: "margin_words" },
+  { key: "p95", head: "error, 95 %", number: true, words: "p95_words" },
 ];
 const FILTERS = [["vehicle", "vehicle"], ["controller", "controller"], ["scenario", "scenario"]];
 const EXPECTED = { "as-expected": "as expected", "against": "not as expected" };
@@ -86,7 +86,9 @@ function caseRow(row) {
     const words = row[column.words || column.key];
     if (column.key === "name") return make("a", { href: `#case-${row.number}` }, row.name);
     if (column.key === "path") return [words, row.scenario && make("div", { class: "muted small" }, row.scenario)];
-    if (column.key !== "verdict") return column.key === "margin" && row.margin < 0 ? make("b", { class: "bad" }, words) : words;
+    if (column.key === "speed") return words.split(" (").map((part, i) => make("div", { class: i ? "muted" : null }, part.replace(")", "")));
+    if (column.key === "margin") return [make(row.margin < 0 ? "b" : "span", { class: row.margin < 0 ? "bad" : null }, words), make("div", { class: "muted" }, row.margin_share)];
+    if (column.key !== "verdict") return words;
     const expected = row.expect === "either" ? "to be compared" : row.passed ? "as expected" : "not as expected";
     return [badge(row.verdict), make("div", { class: `small ${row.passed ? "muted" : "bad"}` }, expected)];
   };

@@ -35,6 +35,12 @@ function mapTraces(one, run, vehicles, scale) {
     vehicles.length > 1 ? `vehicle ${vehicle.number}` : one.kind === "ground" ? "driven" : "flown",
     { line: { width: 2.2 }, trace: { customdata: Array.from(vehicle.clock), hovertemplate: "at %{customdata:.1f} s<extra>%{fullData.name}</extra>" } })));
   for (const path of paths) traces.push(...ends(path, scale));
+  if (run.focus) {
+    const { x, y, title, label, alarm, clock } = run.focus;
+    traces.push({ type: "scatter", mode: "markers", x: [x / scale], y: [y / scale], name: "worst", customdata: [clock],
+      marker: { symbol: "circle-open", size: 15, color: alarm ? VERMILION : GREEN, line: { width: 3 } },
+      hovertemplate: `${plain(title)}<br>${plain(label)}<extra></extra>` });
+  }
   return traces;
 }
 
@@ -76,6 +82,7 @@ function mapLegend(one, run, vehicles) {
       `border-bottom:3px solid ${MEMBERS[i % MEMBERS.length]};height:5px;vertical-align:4px`)),
     world && (world.solid.length > 0 || world.raster) && key("obstacle", `background:${OBSTACLE};border:1px solid ${OBSTACLE_EDGE}`),
     world && world.fences.length > 0 && key("to stay inside", `border:1.5px dashed ${GREEN}`),
+    run.focus && key(run.focus.title, `border:3px solid ${run.focus.alarm ? VERMILION : GREEN};border-radius:50%;width:11px;height:11px`),
     make("span", { class: "small muted" }, one.kind !== "ground" || run.wind.some(Boolean) ? run.wind_words : ""),
     !hasPath && make("span", { class: "small muted" }, " · this trial's plan is its own, and not on this page"));
 }

@@ -65,7 +65,9 @@ function digits(value, count = 3) {
 
 /** A number with fixed decimals, for readouts that change: no jumping width. */
 function steady(value, decimals) {
-  return Number.isFinite(value) ? value.toFixed(decimals).replace("-", "−") : "n/a";
+  if (!Number.isFinite(value)) return "n/a";
+  const shown = value.toFixed(decimals);
+  return Number(shown) === 0 ? shown.replace("-", "") : shown.replace("-", "−");
 }
 
 function metres(value) {

@@ -1,6 +1,6 @@
 // What must be known in ten seconds: the verdict, the counts, the worst cases and how to repeat it.
 
-const WORST_SHOWN = 5;
+const WORST_SHOWN = 5, CLOSEST_SHOWN = 3;
 
 function asExpected() {
   const searched = (TOLD.searches || []).every((found) => found.rows.every((row) => row.passed !== false));
@@ -24,7 +24,7 @@ function banner() {
   fill(byId("banner"), [
     make("div", { class: "kicker" }, "TRACKWORTHY · can a real vehicle follow the planned path?"),
     make("h1", {}, TOLD.title),
-    TOLD.subtitle && make("p", { class: "muted" }, TOLD.subtitle),
+    TOLD.subtitle && make("p", { class: "muted subtitle" }, TOLD.subtitle),
     make("div", { class: `answer${fine ? "" : " bad-edge"}` }, count, make("div", { class: "what" }, what)),
   ]);
 }
@@ -35,7 +35,9 @@ function worstRows() {
   const margin = (row) => (row.margin === null ? -Infinity : row.margin);
   const order = [...DATA.rows].sort((a, b) => badness(a) - badness(b) || margin(a) - margin(b));
   const failed = order.filter((row) => !row.passed);
-  return failed.length > 0 ? failed.slice(0, WORST_SHOWN) : order.slice(0, Math.min(3, WORST_SHOWN));
+  if (failed.length > 0) return failed.slice(0, WORST_SHOWN);
+  const worthy = order.filter((row) => row.verdict === "trackworthy" && row.margin !== null);
+  return (worthy.length > 0 ? worthy : order).slice(0, CLOSEST_SHOWN);
 }
 
 /** The row of that case in what is told, with its reason in words. */

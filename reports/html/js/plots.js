@@ -6,7 +6,8 @@ const OBSTACLE = "#c3cad2", OBSTACLE_EDGE = "#77828e";
 const MEMBERS = [BLUE, ORANGE, GREEN, PURPLE, SKY];
 const CORRIDOR_FILL = "rgba(86,180,233,0.22)";
 const FONT = 'system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif';
-const CONFIG = { displaylogo: false, responsive: true, modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "toImage"] };
+const CONFIG = { displaylogo: false, responsive: true, modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]] };
+const MODEBAR = { bgcolor: "rgba(255,255,255,0.85)", color: MUTED, activecolor: BLUE };
 const PANEL_HEIGHT = 142, FIRST_EXTRA = 1.45; // [px] of a panel; the first, the error, is higher
 const KILO_FROM = 10000; // [m] beyond which axes are in kilometres
 
@@ -17,7 +18,7 @@ function axis(title, more) {
 
 function layoutOf(more) {
   return { font: { family: FONT, color: INK, size: 12 }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-    margin: { l: 66, r: 14, t: 26, b: 44 }, hoverlabel: { font: { family: FONT, size: 12 } }, showlegend: false, ...more };
+    margin: { l: 66, r: 14, t: 26, b: 44 }, hoverlabel: { font: { family: FONT, size: 12 } }, showlegend: false, modebar: MODEBAR, ...more };
 }
 
 function line(x, y, colour, name, more) {
@@ -58,14 +59,14 @@ function panelTraces(vehicles, followed, over) {
   return { traces, panels, label: over === "time" ? "time [s]" : `distance along the path [${unit}]`, scale };
 }
 
-/** How far a panel reaches: its values, its corridor where they come near it, and limits that they approach. */
-function rangeOf(panel, vehicles) {
+/** How far a panel reaches: its values, the corridor unless the error is on its `own` scale, and limits not too far off. */
+function rangeOf(panel, vehicles, own) {
   let low = Infinity, high = -Infinity;
   const reach = (values) => { for (const value of values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); } };
   if (panel.corridor !== null) for (const one of vehicles) reach(one.panels.find((p) => p.corridor !== null).values);
   else for (const key of ["values", "command"]) if (panel[key]) reach(panel[key]);
   if (panel.corridor !== null) {
-    const most = 1.12 * Math.max(panel.corridor, Math.abs(low), Math.abs(high));
+    const most = 1.12 * Math.max(own ? 0 : panel.corridor, Math.abs(low), Math.abs(high), 1e-6);
     return [-most, most];
   }
   const size = Math.max(Math.abs(low), Math.abs(high), 1e-9);
@@ -75,7 +76,7 @@ function rangeOf(panel, vehicles) {
 }
 
 /** The layout of the panels: their axes, what they are called, and the corridor behind the error. */
-function panelLayout(panels, vehicles, label) {
+function panelLayout(panels, vehicles, label, own) {
   const shares = panels.map((_, i) => (i === 0 ? FIRST_EXTRA : 1));
   const total = shares.reduce((a, b) => a + b, 0);
   const gap = 0.22 / total;
@@ -87,7 +88,7 @@ function panelLayout(panels, vehicles, label) {
     const floor = ceiling - shares[i] / total;
     const key = i === 0 ? "yaxis" : `yaxis${i + 1}`;
     const top = ceiling - (i === 0 ? 0 : gap);
-    layout[key] = axis(plain(panel.unit), { domain: [Math.max(0, floor + gap / 4), top], range: rangeOf(panel, vehicles), nticks: 6 });
+    layout[key] = axis(plain(`[${panel.unit}]`), { domain: [Math.max(0, floor + gap / 4), top], range: rangeOf(panel, vehicles, own), nticks: 6 });
     const legend = [panel.upper && "dashed: limits", panel.command && "dotted: commanded", panel.needed && "purple: what the path needs",
       panel.corridor !== null && `shaded: corridor ±${metres(panel.corridor)}; left is positive`].filter(Boolean).join(" · ");
     layout.annotations.push({ text: `<b>${plain(panel.title)}</b>  <span style="color:${MUTED}">${plain(legend)}</span>`, showarrow: false, xref: "paper",

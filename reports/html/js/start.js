@@ -33,6 +33,7 @@ function route() {
   const row = match && DATA.rows.find((one) => one.number === Number(match[1]));
   byId("one-case").hidden = !row;
   byId("overview").hidden = Boolean(row);
+  document.body.classList.toggle("in-case", Boolean(row));
   if (row) {
     caseView(row);
     window.scrollTo(0, Math.max(0, byId("sections").offsetTop));
