@@ -39,6 +39,11 @@ class Finished:
     searches: list[SearchResult]
     plans: list[PlannedBy]
 
+    @property
+    def called(self) -> str:
+        """The campaign as a command names it, to run it again."""
+        return self.manifest.called or str(self.folder / RESOLVED)
+
 
 def read_finished(folder: Path, lanes: Lanes) -> Finished:
     """What lies in a results `folder`; raises `InputError` where there are no results, or not all.

@@ -20,8 +20,8 @@ from planners.errors import InputError
 # What a run makes; --fresh removes this and nothing else, the manifest last
 MADE = (
     "campaign.toml", "inputs/*/*", "results.sqlite", "results.sqlite-wal", "results.sqlite-shm", "plans/*.csv",
-    "plans/*.json", "plans/*.log", "tracks/*.parquet", "searches/*.json", "figures/*.png", "report.pdf", "summary.json",
-    "manifest.json",
+    "plans/*.json", "plans/*.log", "tracks/*.parquet", "searches/*.json", "figures/*.png", "figures/*.svg",
+    "report.pdf", "report.html", "junit.xml", "summary.md", "summary.json", "manifest.json",
 )  # fmt: skip
 FOLDERS = ("inputs/*", "inputs", "plans", "tracks", "searches", "figures")
 ELSEWHERE = "give another folder with -o"

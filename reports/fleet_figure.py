@@ -34,29 +34,30 @@ _BINS = 700
 _HEADROOM = 1.25
 
 
-def save_fleet_figure(outcome: Outcome, file: str | Path, page: bool = False, trial: str = "") -> None:
+def save_fleet_figure(outcome: Outcome, file: str | Path) -> None:
     """Write the picture of the fleet of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    `page` makes it lower, and leaves name, verdict and reason to the page it stands on; `trial` says which trial of its
-    case it is, where there are several. The same outcome gives the same bytes. Raises `InputError` where the folder
-    does not exist.
+    The same outcome gives the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
-        save(fleet_figure(outcome, page, trial), file)
+        save(fleet_figure(outcome), file)
 
 
 def fleet_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`."""
+    """The figure itself; to be called, and saved, within `style.style()`.
+
+    `page` makes it lower, for a page that has other things to say; `trial` says which trial of its case it is, where
+    there are several.
+    """
     fleet = outcome.fleet
     if fleet is None:
         raise TrackworthyError(f"{outcome.name}: it is no fleet; this is a fault of trackworthy")
     colours, shown = member_colours(len(fleet.members)), _shown(fleet)
     head, view = head_of(outcome, trial), whole_fleet(fleet.members)
     aspect = view.width / view.height
-    plan = fleet_page_layout(aspect, len(shown)) if page else fleet_layout(aspect, len(shown), header_height(head))
+    plan = (fleet_page_layout if page else fleet_layout)(aspect, len(shown), header_height(head))
     figure = new_figure(plan.height)
-    if not page:
-        draw_header(figure, head)
+    draw_header(figure, head)
     _draw_world(figure, outcome, fleet, colours, plan)
     longest = max(fleet.members[i].path.length for i in shown)
     for i, box in zip(shown, plan.errors, strict=True):

@@ -40,10 +40,10 @@ def fleet_layout(aspect: float, count: int, top: float) -> FleetLayout:
     return FleetLayout(world, errors, separation, key, separation.bottom + _LABELS + _BOTTOM)
 
 
-def fleet_page_layout(aspect: float, count: int) -> FleetLayout:
+def fleet_page_layout(aspect: float, count: int, top: float) -> FleetLayout:
     """As low as can be read: the separations stand beside the map too, under the errors."""
     high = max(_PAGE_LOWEST, min(_PAGE_MAP, 1.3 * _PAGE_MAP / aspect))
-    world = Box(LEFT, _TITLE, min(1.3 * _PAGE_MAP, max(0.9 * _PAGE_MAP, high * aspect)), high)
+    world = Box(LEFT, top + _TITLE, min(1.3 * _PAGE_MAP, max(0.9 * _PAGE_MAP, high * aspect)), high)
     left = LEFT + world.width + _GAP
     right = Box(left, world.top, WIDTH - RIGHT - left, high)
     separation = Box(left, right.bottom - _PAGE_SEPARATION, right.width, _PAGE_SEPARATION)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from campaigns.gate import ERRORS, Check, Finding
 from reports.check_text import conclusion, improved_words, shown_by, told, with_unit
+from reports.markdown import cell, fenced, row
 
 MOST_ANNOTATIONS = 10  # GitHub shows no more of a step
 
@@ -18,16 +17,15 @@ def workflow_commands(check: Check) -> str:
 
 def markdown(check: Check) -> str:
     """The step's summary."""
-    lines = [f"### trackworthy check: {_cell(check.campaign)}", "", conclusion(check), ""]
+    lines = [f"### trackworthy check: {cell(check.campaign)}", "", conclusion(check), ""]
     if check.findings:
         lines += ["| case | what | old | new | allowed | worst trial |", "| --- | --- | --- | --- | --- | --- |"]
         lines += [_row(finding) for finding in check.findings]
         commands = [finding.command for finding in check.findings if finding.command]
         if commands:
-            fence = _fence("\n".join(commands))
-            lines += ["", "Replay the worst trials:", "", fence, *dict.fromkeys(commands), fence]
+            lines += ["", "Replay the worst trials:", "", *fenced(list(dict.fromkeys(commands)))]
     if check.improved:
-        lines += ["", f"Improved: {_cell(improved_words(check))}"]
+        lines += ["", f"Improved: {cell(improved_words(check))}"]
     return "\n".join(lines) + "\n"
 
 
@@ -45,19 +43,7 @@ def _row(finding: Finding) -> str:
     else:
         values = [with_unit(one.old, one), with_unit(one.new, one), f"+{with_unit(one.limit, one)}"]
         cells = [finding.case, one.metric, *values, f"{one.trial}"]
-    return f"| {' | '.join(_cell(cell) for cell in cells)} |"
-
-
-def _cell(text: str) -> str:
-    """Text as a cell of a table: no line breaks, no bars, no markup."""
-    for character in "\\`*_<>|[]":
-        text = text.replace(character, f"\\{character}")
-    return " ".join(text.split())
-
-
-def _fence(text: str) -> str:
-    """A fence that no line of `text` ends: longer than any run of backticks in it."""
-    return "`" * max(3, 1 + max(map(len, re.findall("`+", text)), default=0))
+    return row(cells)
 
 
 def _data(text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from reports.style import WIDTH
 
@@ -35,6 +35,10 @@ class Box:
         """Its lower edge."""
         return self.top + self.height
 
+    def lower(self, by: float) -> Box:
+        """The same `by` inches farther down."""
+        return replace(self, top=self.top + by)
+
 
 @dataclass(frozen=True, slots=True)
 class Layout:
@@ -51,6 +55,13 @@ class Layout:
     series: tuple[Box, ...]
     height: float
     lead: bool = False
+
+    def lower(self, by: float) -> Layout:
+        """The same `by` inches farther down."""
+        return replace(
+            self, map=self.map and self.map.lower(by), near=self.near.lower(by), key=self.key.lower(by),
+            series=tuple(box.lower(by) for box in self.series), height=self.height + by,
+        )  # fmt: skip
 
     @property
     def labelled(self) -> tuple[bool, ...]:
@@ -95,7 +106,7 @@ def layout(aspect: float, count: int, top: float, lead: bool = False) -> Layout:
 
 
 def page_layout(aspect: float, count: int, lead: bool = False) -> Layout:
-    """Like `layout`, without a header and as low as can be read, for a page that has other things to say."""
+    """Like `layout` without a header, and as low as can be read, for a page that has other things to say."""
     return _wide(aspect, count, _BOTTOM, _ON_PAGE) if aspect > _WIDE else _low(aspect, count, lead)
 
 

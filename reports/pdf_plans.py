@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from pathlib import Path
 
+from campaigns.lanes import Lanes
 from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
+from planners.all_planners import plan_with
 from planners.astar.heading_limits import LATERAL, STEP_TIME
+from planners.planner import Plan
 from planners.scenario import Scenario
+from reports.drawing import Drawing
 from reports.json_result import Json
-from reports.plan_pictures import Picture, draw_plans
+from reports.plan_pictures import plan_drawings
 from reports.plan_rows import is_fleet, labels, limits, plan_row, yardsticks
 from reports.quantity import number, text
 from reports.slug import slug
@@ -26,7 +30,7 @@ class Section:
     about: str
     rows: list[Json]
     note: str
-    pictures: list[Picture]
+    pictures: list[Drawing]
     fleet: bool = False
 
 
@@ -35,9 +39,10 @@ def plan_sections(
     results: Sequence[CaseResult],
     outcomes: Mapping[str, Outcome],
     note: str,
-    folder: Path,
+    lanes: Lanes,
 ) -> list[Section]:
-    """A section a scenario, its pictures drawn to PNG files in `folder`; of one at several scales, those of one scale.
+    """A section a scenario; of one at several scales, with the pictures of one scale, whose plans are made again in
+    `lanes`.
 
     The `note` stands under the first table with claims, or else under the first.
     """
@@ -49,13 +54,24 @@ def plan_sections(
     for i, (scenario, group) in enumerate(zip(scenarios, groups, strict=True)):
         named = dict(zip(labels(group), group, strict=True))
         rows: list[Json] = [plan_row(one, name, results) for name, one in named.items()]
-        stem = folder / f"plans-{i + 1}-{slug(scenario.name)}"
-        pictures = draw_plans(named, results, outcomes, stem) if i in drawn else []
+        stem = f"plans-{i + 1}-{slug(scenario.name)}"
+        pictures = plan_drawings(named, planned(named, lanes), results, outcomes, stem) if i in drawn else []
         told = " ".join(filter(None, [_explained(group), note if i == noted else ""]))
         several = sum(one.name == scenario.name for one in scenarios) > 1
         name = f"{scenario.name} at {text(scenario.unit, 'm')} a unit" if several else scenario.name
         sections.append(Section(name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
     return sections
+
+
+def planned(plans: Mapping[str, PlannedBy], lanes: Lanes) -> dict[str, Plan]:
+    """The first plan of each of `plans` whose planner did not fail, made again in `lanes`."""
+
+    def send(executor: Executor, name: str) -> Future[Plan]:
+        return executor.submit(plan_with, plans[name].planner, plans[name].scenario, seeds[name])
+
+    seeds = {name: one.seed for name, one in plans.items() if one.seed is not None}
+    found = {name: future.result() for name, future in lanes.each(seeds, send)}
+    return {name: found[name] for name in seeds}
 
 
 def _drawn(groups: Sequence[Sequence[PlannedBy]]) -> set[int]:
@@ -65,16 +81,15 @@ def _drawn(groups: Sequence[Sequence[PlannedBy]]) -> set[int]:
     return {max((i for i in count if names[i] == name), key=lambda i: count[i]) for name in names}
 
 
-def section_data(section: Section, files: Sequence[str]) -> dict[str, Json]:
-    """The section as `report.typ` reads it; `files` are the names under which it finds the pictures."""
-    pictures = zip(files, section.pictures, strict=True)
+def section_data(section: Section) -> dict[str, Json]:
+    """The section as `report.typ` reads it."""
     return {
         "scenario": section.scenario,
         "about": section.about,
         "rows": section.rows,
         "fleet": section.fleet,
         "note": section.note,
-        "pictures": [{"file": file, "caption": picture.caption} for file, picture in pictures],
+        "pictures": [{"file": one.svg, "caption": one.caption} for one in section.pictures],
     }
 
 

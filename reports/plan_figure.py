@@ -43,22 +43,30 @@ def save_plan_figure(
 ) -> None:
     """Write the picture of `plans`, by name, as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    The one plan of a fleet has a picture of its own. The yardstick is the exact shortest path that keeps `clearance`
-    [m]. Plans for a ground vehicle's `speed` [m/s] are coloured by the lateral acceleration that they need. The same
-    plans give the same bytes. Raises `InputError` where the folder does not exist.
+    The same plans give the same bytes. Raises `InputError` where the folder does not exist.
     """
     with style():
-        if is_fleet(scenario) and len(plans) == 1:
-            ((name, plan),) = plans.items()
-            save(fleet_plan_figure(scenario, name, plan, clearance), file)
-        else:
-            save(plan_figure(scenario, plans, clearance, speed), file)
+        save(plans_figure(scenario, plans, clearance, speed), file)
+
+
+def plans_figure(
+    scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0, speed: float | None = None
+) -> Figure:
+    """The figure itself; to be called, and saved, within `style.style()`.
+
+    The one plan of a fleet has a picture of its own. The yardstick is the exact shortest path that keeps `clearance`
+    [m]. Plans for a ground vehicle's `speed` [m/s] are coloured by the lateral acceleration that they need.
+    """
+    if is_fleet(scenario) and len(plans) == 1:
+        ((name, plan),) = plans.items()
+        return fleet_plan_figure(scenario, name, plan, clearance)
+    return plan_figure(scenario, plans, clearance, speed)
 
 
 def plan_figure(
     scenario: Scenario, plans: Mapping[str, Plan], clearance: float = 0.0, speed: float | None = None
 ) -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`."""
+    """That of plans for one vehicle each."""
     colours = colours_of(plans) if speed is None else dict.fromkeys(plans, WITHIN)
     exact, view = exact_paths(scenario, clearance), whole_map(scenario)
     turns = [name for name, plan in plans.items() if plan.paths][:_MOST_TURNS]

@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import replace
 
 from campaigns.plan_statistics import PlannedBy
 from campaigns.summary import CaseResult
-from planners.all_planners import plan_with
 from planners.astar.arc_printed import AstarArcPaper
 from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
 from planners.planner import NO_PATH, History, Plan
-from reports.colony_figure import save_colony_figure, shown_iterations
-from reports.comparison_figure import save_comparison_figure
-from reports.convergence_figure import HIGHEST, LOW, save_convergence_figure
-from reports.flown_figure import save_flown_figure
-from reports.plan_figure import save_plan_figure
+from reports.colony_figure import colony_figure, shown_iterations
+from reports.comparison_figure import comparison_figure
+from reports.convergence_figure import HIGHEST, LOW, convergence_figure
+from reports.drawing import Drawing
+from reports.flown_figure import flown_figure
+from reports.plan_figure import plans_figure
 from reports.plan_rows import is_fleet
 from reports.plan_turn import came
 from reports.quantity import number
-from reports.roadmap_figure import has_roadmap, save_roadmap_figure
+from reports.roadmap_figure import has_roadmap, roadmap_figure
 from reports.routes_figure import COLUMNS as SPEEDS
-from reports.routes_figure import ROWS, Route, save_routes_figure
-from reports.sector_figure import COLUMNS, save_sector_figure
+from reports.routes_figure import ROWS, Route, routes_figure
+from reports.sector_figure import COLUMNS, sector_figure
 from reports.slug import slug
 from reports.trials_words import worst_name
 from reports.words import KMH
@@ -34,26 +33,19 @@ _EARLY = (1, 3, 5, 10)  # iterations shown of a search of no more
 _MOST_FLOWN = 3  # runs in one picture: a page holds no more
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """A picture in a `file`, and its caption."""
-
-    file: Path
-    caption: str
-
-
-def draw_plans(
-    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: Path
-) -> list[Picture]:
-    """Draw `plans` of one scenario, by label, as PNG files that begin with `stem`.
+def plan_drawings(
+    plans: Mapping[str, PlannedBy],
+    planned: Mapping[str, Plan],
+    results: Sequence[CaseResult],
+    outcomes: Mapping[str, Outcome],
+    stem: str,
+) -> list[Drawing]:
+    """The pictures of `plans` of one scenario, by label; their names begin with `stem`. `planned` are the plans.
 
     The roadmap, the sectors of A* by arcs, the searches in the same axes, the routes where planners plan for speeds,
     each other planner's plan, each one's ants, and then the runs: of the first case of each planner that of `outcomes`,
     by the name of the case; fleets have a page for each case instead. The same plans give the same bytes.
     """
-    planned = {
-        name: plan_with(one.planner, one.scenario, one.seed) for name, one in plans.items() if one.seed is not None
-    }
     searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
     colonies = {name: history for name, history in searches.items() if history.evaluations is None}
     counted = {name: one.searches for name, one in plans.items() if len(one.searches) > 1}
@@ -82,10 +74,10 @@ def chosen_iterations(history: History) -> tuple[int, ...]:
     return marked if len(marked) == len(_EARLY) else shown_iterations(count)
 
 
-def _draw_plan(name: str, one: PlannedBy, plan: Plan, stem: Path) -> Picture:
-    file = _file(stem, name)
-    save_plan_figure(one.scenario, {name: plan}, file, one.planner.clearance, planned_speed(one.planner))
-    return Picture(file, _plan_caption(name, one, plan) + _beside(claim.beside.plan for claim in one.claims))
+def _draw_plan(name: str, one: PlannedBy, plan: Plan, stem: str) -> Drawing:
+    shown = (one.scenario, {name: plan}, one.planner.clearance, planned_speed(one.planner))
+    caption = _plan_caption(name, one, plan) + _beside(claim.beside.plan for claim in one.claims)
+    return Drawing(_file(stem, name), plans_figure, shown, caption)
 
 
 def _routes(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan]) -> list[str]:
@@ -99,7 +91,7 @@ def _routes(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan]) -> list
     return driven if len(driven) > 1 and any(plans[name].planned_for for name in driven) else []
 
 
-def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], stem: Path) -> list[Picture]:
+def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], stem: str) -> list[Drawing]:
     """First those for no speed, then a row of each planner that plans for speeds."""
     kinds: dict[str, list[str]] = {}
     for name in sorted(routes, key=lambda name: plans[name].planned_for is not None):
@@ -110,13 +102,12 @@ def _draw_routes(plans: Mapping[str, PlannedBy], routes: Mapping[str, Plan], ste
     for page_number, page in enumerate(pages, start=1):
         file = _file(stem, f"routes {page_number}" if len(pages) > 1 else "routes")
         shown = [[_route(name, plans[name], routes[name]) for name in row] for row in page]
-        save_routes_figure(plans[page[0][0]].scenario, shown, file)
         beside = _beside(claim.beside.plan for row in page for name in row for claim in plans[name].claims)
         who = _listed(dict.fromkeys(plans[name].planner.name for row in page for name in row))
         unplanned = any(plans[name].planned_for is None for row in page for name in row)
         slowest = ", or the slowest at which it is driven" if unplanned else ""
         what = f"the routes, and the most lateral acceleration that each needs at the speed it is planned for{slowest}."
-        pictures.append(Picture(file, f"{who}: {what}{beside}"))
+        pictures.append(Drawing(file, routes_figure, (plans[page[0][0]].scenario, shown), f"{who}: {what}{beside}"))
     return pictures
 
 
@@ -125,68 +116,67 @@ def _route(name: str, one: PlannedBy, plan: Plan) -> Route:
     return Route(name if one.planned_for else f"{name}, {number(KMH * speed)} km/h", plan, speed)
 
 
-def _draw_ants(name: str, one: PlannedBy, history: History, stem: Path) -> Picture:
-    shown, file = chosen_iterations(history), _file(stem, f"{name} ants")
-    save_colony_figure(one.scenario, history, file, shown)
-    return Picture(file, _ants_caption(name, history, shown) + _beside(claim.beside.ants for claim in one.claims))
+def _draw_ants(name: str, one: PlannedBy, history: History, stem: str) -> Drawing:
+    shown = chosen_iterations(history)
+    caption = _ants_caption(name, history, shown) + _beside(claim.beside.ants for claim in one.claims)
+    return Drawing(_file(stem, f"{name} ants"), colony_figure, (one.scenario, history, shown), caption)
 
 
-def _draw_comparison(plans: Mapping[str, PlannedBy], searches: Mapping[str, History], stem: Path) -> list[Picture]:
+def _draw_comparison(plans: Mapping[str, PlannedBy], searches: Mapping[str, History], stem: str) -> list[Drawing]:
     if len(searches) < 2:
         return []
-    file = _file(stem, "comparison")
     exact = [one.statistics.exact_length for one in plans.values() if one.statistics.exact_length is not None]
-    save_comparison_figure(searches, file, max(exact, default=None))
     what = "length of the best way and of the mean one, and share of ants that arrive, by iteration."
     beside = _beside(claim.beside.comparison for name in searches for claim in plans[name].claims)
-    return [Picture(file, f"{_listed(searches)} on the same axes: {what}{beside}")]
+    caption = f"{_listed(searches)} on the same axes: {what}{beside}"
+    return [Drawing(_file(stem, "comparison"), comparison_figure, (dict(searches), max(exact, default=None)), caption)]
 
 
 def _draw_convergence(
-    plans: Mapping[str, PlannedBy], searches: Mapping[str, Sequence[PlanFacts]], stem: Path
-) -> list[Picture]:
+    plans: Mapping[str, PlannedBy], searches: Mapping[str, Sequence[PlanFacts]], stem: str
+) -> list[Drawing]:
     if not searches:
         return []
-    file = _file(stem, "convergence")
-    exact = [plans[name].statistics.exact_length for name in searches]
-    save_convergence_figure(searches, file, max((one for one in exact if one is not None), default=None))
+    known = [plans[name].statistics.exact_length for name in searches]
+    exact = max((one for one in known if one is not None), default=None)
     seeds = " and ".join(dict.fromkeys(str(len(facts)) for facts in searches.values()))
     what = f"the best sum of paths within all limits by cost evaluations, median and band of {number(LOW)} to"
     band = f"{number(HIGHEST)} % over {seeds} seeds; and the share of seeds that have such paths."
     beside = _beside(claim.beside.comparison for name in searches for claim in plans[name].claims)
-    return [Picture(file, f"{_listed(searches)}: {what} {band}{beside}")]
+    caption = f"{_listed(searches)}: {what} {band}{beside}"
+    return [Drawing(_file(stem, "convergence"), convergence_figure, (dict(searches), exact), caption)]
 
 
-def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
+def _draw_roadmap(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: str) -> list[Drawing]:
     """That of the plan with the most steps, the shortest of these: the others share its roadmap."""
     found = {name: plan for name, plan in planned.items() if has_roadmap(plan)}
     if not found:
         return []
     name = max(found, key=lambda one: (len(found[one].stages), -sum(path.length for path in found[one].paths)))
-    one, file = plans[name], _file(stem, "roadmap")
-    save_roadmap_figure(one.scenario, found[name], one.planner.clearance, file)
+    one = plans[name]
     steps = _listed([f"the {found[name].stages[0].name}", *(stage.name for stage in found[name].stages[1:])])
     beside = _beside(claim.beside.roadmap for other in plans.values() for claim in other.claims)
-    return [Picture(file, f"The Voronoi roadmap, and the paths of {name} after {steps}.{beside}")]
+    caption = f"The Voronoi roadmap, and the paths of {name} after {steps}.{beside}"
+    shown = (one.scenario, found[name], one.planner.clearance)
+    return [Drawing(_file(stem, "roadmap"), roadmap_figure, shown, caption)]
 
 
-def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: Path) -> list[Picture]:
+def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: str) -> list[Drawing]:
     """Of A* by arcs, as printed, the first three that had a map to search."""
     searched = {name: plans[name].planner for name, plan in planned.items() if plan.outcome != NO_PATH}
     arcs = {name: planner for name, planner in searched.items() if isinstance(planner, AstarArcPaper)}
     names = list(arcs)[:COLUMNS]
     if not names:
         return []
-    file = _file(stem, "sectors")
-    save_sector_figure(plans[names[0]].scenario, {name: arcs[name] for name in names}, file)
+    shown = (plans[names[0]].scenario, {name: arcs[name] for name in names})
     what = "above, of its sectors the one that an obstacle cuts most and leaves a way on; below, where it ended."
     beside = _beside(claim.beside.sectors for name in names for claim in plans[name].claims)
-    return [Picture(file, f"{_listed(names)}: {what}{beside}")]
+    return [Drawing(_file(stem, "sectors"), sector_figure, shown, f"{_listed(names)}: {what}{beside}")]
 
 
 def _draw_flown(
-    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: Path
-) -> list[Picture]:
+    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: str
+) -> list[Drawing]:
     cases = {result.case.name: result for result in results}
     runs = {
         name: _named(outcomes[one.case], name, cases[one.case])
@@ -199,11 +189,11 @@ def _draw_flown(
     pictures = []
     for page_number, page in enumerate(pages, start=1):
         file = _file(stem, f"flown {page_number}" if len(pages) > 1 else "flown")
-        save_flown_figure([runs[name] for name in page], file)
         what = "flown track and cross-track error along it, of the worst trial of its first case."
         claimed = any(one.claims for one in plans.values())
         missing = " No figure of the source stands beside it: nothing was flown there." if claimed else ""
-        pictures.append(Picture(file, f"{_listed(page)}: {what}{missing}"))
+        shown = ([runs[name] for name in page],)
+        pictures.append(Drawing(file, flown_figure, shown, f"{_listed(page)}: {what}{missing}"))
     return pictures
 
 
@@ -246,5 +236,5 @@ def _listed(names: Iterable[str]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
-def _file(stem: Path, what: str) -> Path:
-    return stem.with_name(f"{stem.name}-{slug(what)}.png")
+def _file(stem: str, what: str) -> str:
+    return f"{stem}-{slug(what)}"

@@ -7,6 +7,8 @@ it.
 
 from __future__ import annotations
 
+import io
+import re
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -43,6 +45,8 @@ DPI = 200  # 1600 pixels wide
 _FALLBACKS = (
     "Noto Sans CJK SC", "Noto Sans CJK JP", "Noto Sans SC", "WenQuanYi Zen Hei", "Microsoft YaHei", "PingFang SC",
 )  # fmt: skip
+
+_NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")  # XML 1.0, 2.2; names come along as comments
 
 _RC: Look = {
     "font.size": 8.0,
@@ -116,12 +120,36 @@ def place(figure: Figure, left: float, top: float, width: float, height: float) 
     return figure.add_axes((left / w, 1.0 - (top + height) / h, width / w, height / h))
 
 
-def save(figure: Figure, file: str | Path) -> None:
-    """Write `figure` as PNG or SVG, by the suffix of `file`: whole or not at all, and without date or version."""
-    kind = Path(file).suffix.lower().removeprefix(".")
-    metadata = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}[kind]
-    with atomic(file) as temporary:
-        figure.savefig(temporary, format=kind, metadata=metadata)
+def save(figure: Figure, *files: str | Path) -> None:
+    """Write `figure` as PNG or SVG, by the suffix of each of `files`: whole or not at all, without date or version.
+
+    It is drawn once, as SVG; PNG are pixels of that.
+    """
+    svg = _svg(figure)
+    for file in map(Path, files):
+        content = svg if file.suffix.lower() == ".svg" else _png(svg, *figure.get_size_inches())
+        with atomic(file) as temporary:
+            temporary.write_bytes(content)
+
+
+def _svg(figure: Figure) -> bytes:
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    return _NOT_XML.sub("", buffer.getvalue().decode()).encode()
+
+
+def _png(svg: bytes, width: float, height: float) -> bytes:
+    """The pixels of `svg`, `width` and `height` in inches."""
+    import typst
+
+    page = (
+        f"#set page(width: {width:.6f}in, height: {height:.6f}in, margin: 0pt)\n"
+        '#image(bytes(sys.inputs.svg), format: "svg", width: 100%)'
+    )
+    pixels = typst.compile(
+        page.encode(), format="png", ppi=float(DPI), sys_inputs={"svg": svg.decode()}, ignore_system_fonts=True
+    )
+    return bytes(pixels)
 
 
 def error_colours() -> Colormap:

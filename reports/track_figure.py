@@ -34,29 +34,32 @@ if TYPE_CHECKING:
 _NARROW = 2.5  # [in] a narrower series has no room for a legend, and its neighbour's
 
 
-def save_track_figure(outcome: Outcome, file: str | Path, page: bool = False, trial: str = "") -> None:
+def save_track_figure(outcome: Outcome, file: str | Path) -> None:
     """Write the picture of `outcome` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
 
-    Of a fleet it shows the member that decides. `page` makes it lower, and leaves name, verdict and reason to the page
-    it stands on, and the map of a fleet to its own figure; `trial` says which trial of its case it is, where there are
-    several. The same outcome gives the same bytes. Raises `InputError` where the folder does not exist.
+    Of a fleet it shows the member that decides. The same outcome gives the same bytes. Raises `InputError` where the
+    folder does not exist.
     """
     with style():
-        save(track_figure(outcome, page, trial), file)
+        save(track_figure(outcome), file)
 
 
 def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`."""
+    """The figure itself; to be called, and saved, within `style.style()`.
+
+    `page` makes it lower, for a page that has other things to say, and leaves the map of a fleet to the fleet's own
+    figure; `trial` says which trial of its case it is, where there are several.
+    """
     view, shown, marked = whole(outcome), panels(outcome), focus(outcome)
     aspect, count, lead = view.width / view.height, len(shown), shown[0].needed is not None
     head = head_of(outcome, trial, member_name(outcome))
+    top = header_height(head)
     if page:
-        plan = member_layout(count) if outcome.fleet else page_layout(aspect, count, lead)
+        plan = (member_layout(count) if outcome.fleet else page_layout(aspect, count, lead)).lower(top)
     else:
-        plan = layout(aspect, count, header_height(head), lead)
+        plan = layout(aspect, count, top, lead)
     figure = new_figure(plan.height)
-    if not page:
-        draw_header(figure, head)
+    draw_header(figure, head)
     if plan.map is not None:
         view = _draw_map(figure, outcome, marked, view, plan.map)
     if marked is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +15,7 @@ from reports.header import Head, draw_header, header_height
 from reports.layout import LEFT, RIGHT
 from reports.quantity import text
 from reports.strip_panel import LABELS, draw_strips, strips_height
-from reports.style import BLUE, CORRIDOR, INK, LIMIT, MUTED, ORANGE, WIDTH, new_figure, place, save, style
+from reports.style import BLUE, CORRIDOR, INK, LIMIT, MUTED, ORANGE, WIDTH, new_figure, place
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.trials_data import strips
 from reports.trials_words import case_setting, case_verdict_words, headline_words, verdict_reason, worst_name
@@ -31,28 +30,20 @@ _SIZE, _BIAS = 1.75, 1.0  # [in] heights of the panels
 _BINS = 1100  # about the pixels of a panel
 
 
-def save_trials_figure(result: CaseResult, outcome: Outcome, file: str | Path, page: bool = False) -> None:
-    """Write the picture of all trials of a case as PNG or SVG, by the suffix of `file`; `outcome` is the worst one's.
+def trials_figure(result: CaseResult, outcome: Outcome) -> Figure:
+    """The figure of all trials of a case, to be called, and saved, within `style.style()`.
 
-    `page` leaves name, verdict and reason to the page it stands on. The case must have a band: two trials or more
-    without error. The same result gives the same bytes. Raises `InputError` where the folder does not exist.
+    `outcome` is the worst one's. The case must have a band: two trials or more without error.
     """
-    with style():
-        save(trials_figure(result, outcome, page), file)
-
-
-def trials_figure(result: CaseResult, outcome: Outcome, page: bool = False) -> Figure:
-    """The figure itself; to be called, and saved, within `style.style()`."""
     band, shown = result.statistics.band, strips(result.statistics, outcome)
     if band is None:
         raise ValueError(f"{result.case.name}: one trial has no band")
-    head = _head(result, outcome)
-    top = (_BOTTOM if page else header_height(head)) + _TITLE
+    head = trials_head(result, outcome)
+    top = header_height(head) + _TITLE
     bias_top = top + _SIZE + _TITLE + 0.1
     strips_top = bias_top + _BIAS + _LABELS + _TITLE + 0.04
     figure = new_figure(strips_top + strips_height(len(shown)) + _LABELS + _BOTTOM)
-    if not page:
-        draw_header(figure, head)
+    draw_header(figure, head)
     width = WIDTH - LEFT - RIGHT
     size, bias = place(figure, LEFT, top, width, _SIZE), place(figure, LEFT, bias_top, width, _BIAS)
     _draw_size(size, result, outcome, band)
@@ -74,7 +65,8 @@ def trials_figure(result: CaseResult, outcome: Outcome, page: bool = False) -> F
     return figure
 
 
-def _head(result: CaseResult, outcome: Outcome) -> Head:
+def trials_head(result: CaseResult, outcome: Outcome) -> Head:
+    """The head of the figure."""
     told = [verdict_reason(result), headline_words(result)]
     return Head(
         result.case.name,

@@ -119,9 +119,10 @@ def _scenarios() -> list[str]:
 
 
 def _campaigns() -> list[str]:
-    from campaigns.campaign import BUILT_IN_CAMPAIGNS, load_campaign
+    from campaigns.campaign import BUILT_IN_CAMPAIGNS
+    from campaigns.full import FULL, find_campaign
 
-    return [f"{name:<22}{load_campaign(name).title}" for name in BUILT_IN_CAMPAIGNS]
+    return [f"{name:<22}{find_campaign(name).title}" for name in (*BUILT_IN_CAMPAIGNS, *FULL)]
 
 
 def _formats() -> list[str]:

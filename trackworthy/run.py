@@ -30,6 +30,7 @@ def add_parser(commands: Any) -> None:
         metavar="CAMPAIGN",
         help="a TOML file or a built-in name; default papers",
     )
+    add("--full", action="store_true", help="the long form of papers: three campaigns in one")
     add("--case", action="append", default=[], metavar="NAME", help="run this case only; repeatable")
     add("--trial", type=int, metavar="N", help="replay just this trial of the one --case, and show it whole")
     add("-o", "--output", metavar="DIR", help="folder of the results (default: runs/ and the campaign's name)")
@@ -41,18 +42,19 @@ def add_parser(commands: Any) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Run what is missing, write the report, and answer with the exit code."""
-    from campaigns.campaign import load_campaign
     from campaigns.execute import Machines, default_jobs, execute
+    from campaigns.full import find_campaign
     from campaigns.ready import make_ready
     from campaigns.search_ready import make_searches_ready
     from planners.errors import InputError
     from reports.progress import watched
     from reports.slug import slug
+    from reports.write import write_report
     from trackworthy.streams import tell
 
     if args.jobs is not None and args.jobs < 1:
         raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
-    campaign = load_campaign(args.campaign, args.case)
+    campaign = find_campaign(args.campaign, args.case, args.full)
     cases, searches = make_ready(campaign), make_searches_ready(campaign)
     tell(dict.fromkeys(note for ready in cases for note in ready.notes))
     name = "-".join([slug(campaign.name), *map(slug, args.case)])
@@ -70,7 +72,8 @@ def main(args: argparse.Namespace) -> int:
     except (KeyboardInterrupt, SystemExit) as stop:  # Ctrl-C, or told to by SIGTERM
         tell([f"trackworthy: stopped; the same command goes on from what is stored in {folder}"])
         return int(stop.code or 0) if isinstance(stop, SystemExit) else 130
-    _write(campaign, finished, folder, args.campaign)
+    with Machines(machines.jobs).lanes(campaign.timeout) as lanes:
+        write_report(finished, lanes)
     return _answer(finished, folder)
 
 
@@ -115,41 +118,6 @@ def _asked(search: Search) -> str:
         return f"smallest scale of {search.scenario}, {search.planner}, {followed}, {low} to {high} m"
     path = search.path or f"{search.planner} on {search.scenario}"
     return f"top speed of {path}, {followed}, {low} to {high}"
-
-
-def _write(campaign: Campaign, finished: Finished, folder: Path, called: str) -> None:
-    """The report and its figures: the plans, of each case the worst trial, and all trials where there are several."""
-    from campaigns.campaign import replay_command
-    from reports.fleet_figure import save_fleet_figure
-    from reports.pdf import write_pdf
-    from reports.pdf_plans import plan_sections
-    from reports.slug import slug
-    from reports.track_figure import save_track_figure
-    from reports.trials_figure import save_trials_figure
-    from reports.trials_words import worst_name
-
-    figures = folder / "figures"
-    figures.mkdir(exist_ok=True)
-    outcomes, commands = [], []
-    for result in finished.results:
-        case = result.case
-        outcome = finished.outcomes.get(case.name)
-        if outcome is None or result.worst is None:
-            continue
-        stem = f"{result.number}-{slug(case.name)}"
-        which = worst_name(result) if case.trials > 1 else ""
-        save_track_figure(outcome, figures / f"{stem}.png", trial=which)
-        if outcome.fleet is not None:
-            save_fleet_figure(outcome, figures / f"{stem}-fleet.png", trial=which)
-        if result.statistics.band is not None:
-            save_trials_figure(result, outcome, figures / f"{stem}-trials.png")
-        outcomes.append(outcome)
-        commands.append(replay_command(called, case.name, result.worst.trial))
-    plans = plan_sections(finished.plans, finished.results, finished.outcomes, campaign.note, figures)
-    write_pdf(
-        outcomes, folder / "report.pdf", campaign.title,
-        commands=commands, results=finished.results, searches=finished.searches, plans=plans,
-    )  # fmt: skip
 
 
 def _answer(finished: Finished, folder: Path) -> int:

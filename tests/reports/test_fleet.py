@@ -17,7 +17,6 @@ from reports.fleet_map import closest_places, member_colours
 from reports.fleet_words import called, member_name
 from reports.focus import focus
 from reports.json_result import to_json
-from reports.pdf import write_pdf
 from reports.pdf_case import case_data
 from reports.quantity import text
 from reports.rows import rows
@@ -26,6 +25,7 @@ from reports.style import MEMBERS, style
 from reports.table import print_outcome
 from reports.track_figure import track_figure
 from reports.words import reason, setting
+from small_reports import pdf_of
 from tracking.fleet import fleet_outcome
 
 
@@ -144,7 +144,6 @@ def test_the_figure_is_the_same_bytes_and_says_what_it_shows(apart_fleet, tmp_pa
     for part in ("NOT TRACKWORTHY", "worst of 3: trial 2", "Separation [km]", "≥ 1 km", "1–2", "closest approach",
                  "aircraft 3: max 271 m", "departures at", "Cross-track error [m]"):  # fmt: skip
         assert part in told
-    assert "NOT TRACKWORTHY" not in drawn(fleet_figure(apart_fleet, page=True))
 
 
 def test_every_separation_is_drawn_in_both_colours(fleet):
@@ -199,7 +198,7 @@ def test_the_own_figure_says_which_it_is(fleet):
 def test_a_fleet_is_one_page(fleet, apart_fleet, tmp_path):
     command = ["trackworthy run campaign.toml --case one --trial 1"]
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([fleet, apart_fleet], tmp_path / name, "Fleets", commands=command * 2)
+        pdf_of([fleet, apart_fleet], tmp_path / name, "Fleets", commands=command * 2)
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 3
 

@@ -19,14 +19,13 @@ from planners.voronoi.roadmap import roadmap_of
 from planners.voronoi.vd import Vd
 from reports.convergence_figure import best_at, convergence_figure, save_convergence_figure, spread
 from reports.fleet_plan_figure import fleet_plan_figure, pair_of
-from reports.pdf import write_pdf
-from reports.pdf_plans import plan_sections
 from reports.plan_figure import save_plan_figure
 from reports.plan_json import plan_json
 from reports.plan_rows import is_fleet, limits, plan_row
 from reports.plan_table import rows
 from reports.roadmap_figure import has_roadmap, roadmap_figure, save_roadmap_figure
 from reports.style import MEMBERS, style
+from small_reports import pdf_of, sections_of
 
 TOLD = PlanStatistics(
     seeds=4, found=4, missing={}, exact_length=172000.0, length=Spread(172600.0, 173000.0),
@@ -198,20 +197,20 @@ def test_the_same_plan_is_the_same_bytes(mars, searched, tmp_path):
 
 def test_a_section_of_fleets(mars, searched, fleet, tmp_path, monkeypatch):
     plans = {"vd": searched, "exact": Exact(clearance=250.0).plan(mars, np.random.default_rng(0))}
-    monkeypatch.setattr("reports.plan_pictures.plan_with", lambda planner, *_: plans[planner.name])
+    monkeypatch.setattr("reports.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
     searches = tuple(search((180e3, 175e3), (100, last)) for last in (200, 300))
     told = [
         PlannedBy(Vd(), mars, 1, "case", TOLD, (CLAIM,), searches),
         PlannedBy(Exact(clearance=250.0), mars, 1, "other", TOLD),
     ]
-    (section,) = plan_sections(told, [], {"case": dataclasses.replace(fleet, name="case")}, "", tmp_path)
+    (section,) = sections_of(told, [], {"case": dataclasses.replace(fleet, name="case")})
     stem = "plans-1-mars-hazards-15"
-    assert [picture.file.stem for picture in section.pictures] == [
+    assert [picture.stem for picture in section.pictures] == [
         f"{stem}-{name}" for name in ("roadmap", "convergence", "vd", "exact")
     ]
     assert section.pictures[0].caption.endswith("Beside Fig. 1.")
     assert "10 to 90 % over 2 seeds" in section.pictures[1].caption
     assert section.fleet
     assert re.search(r"exact shortest sum 688 map units .*; range limit 424", section.about)
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 3

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from planners.errors import InputError
-from reports.pdf import write_pdf
+from reports.case_drawings import track_drawing
+from reports.pdf import _without_head
 from reports.pdf_case import case_data
 from reports.track_figure import save_track_figure
+from small_reports import drawn, pdf_of
 from tracking.feasibility import Feasibility
 from tracking.verdict import Verdict
 
@@ -21,34 +23,34 @@ def pages(file):
 
 def test_same_outcomes_same_bytes(route, yard, tmp_path):
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([route, yard], tmp_path / name, "Two cases", commands=["trackworthy track a.plan"])
+        pdf_of([route, yard], tmp_path / name, "Two cases", commands=["trackworthy track a.plan"])
     first = (tmp_path / "a.pdf").read_bytes()
     assert first.startswith(b"%PDF-")
     assert first == (tmp_path / "b.pdf").read_bytes()
     assert b"CreationDate" not in first
-    assert len(list(tmp_path.iterdir())) == 2
+    assert len(list(tmp_path.glob("*.*"))) == 2  # nothing is left over
     assert pages(tmp_path / "a.pdf") >= 3
 
 
 def test_text_is_never_markup(yard, tmp_path):
     evil = '#panic("x") $math$ *bold* [a] @ref <label> \\ `raw` // /* " \u0000 \u2028 {'
     named = dataclasses.replace(yard, name=evil, vehicle=evil, controller=evil, notes=(evil,))
-    write_pdf([named], tmp_path / "a.pdf", evil, subtitle=evil, commands=[evil])
+    pdf_of([named], tmp_path / "a.pdf", evil, subtitle=evil, commands=[evil])
 
 
 def test_long_names(route, tmp_path):
     named = dataclasses.replace(route, name=LONG, vehicle=LONG, controller=LONG, notes=(LONG,))
-    write_pdf([named] * 2, tmp_path / "a.pdf", LONG, subtitle=LONG, commands=[LONG])
+    pdf_of([named] * 2, tmp_path / "a.pdf", LONG, subtitle=LONG, commands=[LONG])
 
 
 def test_no_case(tmp_path):
-    write_pdf([], tmp_path / "a.pdf", "Nothing")
+    pdf_of([], tmp_path / "a.pdf", "Nothing")
     assert pages(tmp_path / "a.pdf") == 1
 
 
 def test_bare_outcome(yard, tmp_path):
     bare = dataclasses.replace(yard, verdict=Verdict(()), metrics={}, feasibility=Feasibility((), ()))
-    write_pdf([bare], tmp_path / "a.pdf", "Bare")
+    pdf_of([bare], tmp_path / "a.pdf", "Bare")
 
 
 def test_a_long_track_stays_small(route, tmp_path):
@@ -57,13 +59,13 @@ def test_a_long_track_stays_small(route, tmp_path):
     noise = np.random.default_rng(1).normal(0.0, 20.0, 20_000)
     data[:, route.track.columns.index("cross_track")] = noise
     long = dataclasses.replace(route, track=dataclasses.replace(route.track, data=data))
-    write_pdf([long], tmp_path / "a.pdf", "Long")
+    pdf_of([long], tmp_path / "a.pdf", "Long")
     assert (tmp_path / "a.pdf").stat().st_size < 1_000_000
 
 
 def test_a_missing_folder(yard, tmp_path):
     with pytest.raises(InputError, match="does not exist"):
-        write_pdf([yard], tmp_path / "no" / "a.pdf", "x")
+        pdf_of([yard], tmp_path / "no" / "a.pdf", "x")
 
 
 def spaced(turn, count):
@@ -92,14 +94,31 @@ def test_a_page_a_case(route, yard, sharp_yard, tmp_path):
     notes = tuple(f"route.plan: item {i}: DO_SET_CAM_TRIGG_DIST (206): it is no waypoint" for i in range(20))
     full = dataclasses.replace(route, feasibility=spaced(route.feasibility.tight[0], 20), notes=notes)
     command = "trackworthy track route.plan --vehicle c172x --wind 10@270 --corners fly-by --corridor 20"
-    write_pdf([full, yard, sharp_yard, route], tmp_path / "a.pdf", "Four cases", commands=[command] * 4)
+    pdf_of([full, yard, sharp_yard, route], tmp_path / "a.pdf", "Four cases", commands=[command] * 4)
     assert pages(tmp_path / "a.pdf") == 5
 
 
 def test_many_cases(yard, tmp_path, monkeypatch):
     """All are drawn the same, so one drawing serves them all."""
-    save_track_figure(yard, tmp_path / "drawn.svg", page=True)
-    copied = lambda _, file, page: shutil.copyfile(tmp_path / "drawn.svg", file)  # noqa: E731
-    monkeypatch.setattr("reports.track_figure.save_track_figure", copied)
-    write_pdf([yard] * 40, tmp_path / "a.pdf", "Forty cases")
+    save_track_figure(yard, tmp_path / "drawn.svg")
+
+    def copied(drawings, folder, _lanes):
+        for one in drawings:
+            shutil.copyfile(tmp_path / "drawn.svg", folder / one.svg)
+
+    monkeypatch.setattr("small_reports.draw_all", copied)
+    pdf_of([yard] * 40, tmp_path / "a.pdf", "Forty cases")
     assert pages(tmp_path / "a.pdf") in (42, 43)
+
+
+def test_a_page_leaves_out_the_head_of_its_figure(yard, tmp_path):
+    one = track_drawing("yard", yard)
+    (png,) = drawn([one], tmp_path / "figures")
+    svg = png.with_suffix(".svg").read_text()
+    height = float(re.search(r'height="([0-9.]+)pt"', svg)[1])
+    told = re.search(
+        r'<svg [^>]*height="([0-9.]+)pt" viewBox="0 ([0-9.]+) 576 ([0-9.]+)"', _without_head(svg, one.head)
+    )
+    assert [float(value) for value in told.groups()] == pytest.approx(
+        [height - 72 * one.head, 72 * one.head, height - 72 * one.head], abs=1e-3
+    )

@@ -18,11 +18,10 @@ from planners.aco.improved import AcoImproved
 from planners.exact import Exact
 from planners.planner import NOT_FOUND
 from planners.scenario import load_scenario
-from reports.pdf import write_pdf
-from reports.pdf_plans import plan_sections
 from reports.plan_pictures import chosen_iterations
 from reports.plan_rows import changed, labels, plan_row, yardsticks
 from sample_plans import lost_plan, made_up_history, made_up_plan
+from small_reports import drawn, pdf_of, sections_of
 
 
 class AcoLost(AcoImproved, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -114,16 +113,15 @@ def test_iterations_shown_are_those_in_which_something_happens():
 
 
 @pytest.fixture
-def sections(nofly, yard, tmp_path, monkeypatch):
-    """Of planners whose plans are made up: the sections, and where the pictures are."""
+def sections(nofly, yard, monkeypatch):
+    """Of planners whose plans are made up."""
 
-    def made(found, note="a note", folder="figures"):
+    def made(found, note="a note"):
         plans = {planner.name: plan for planner, plan, *_ in found}
-        monkeypatch.setattr("reports.plan_pictures.plan_with", lambda planner, *_: plans[planner.name])
-        (tmp_path / folder).mkdir()
+        monkeypatch.setattr("reports.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
         told = [by(nofly, planner, statistics, planner.name, claims) for planner, _, statistics, claims in found]
         runs = {name: dataclasses.replace(yard, name=name) for name, plan in plans.items() if plan.paths}
-        return plan_sections(told, [_result(name) for name in plans], runs, note, tmp_path / folder)
+        return sections_of(told, [_result(name) for name in plans], runs, note)
 
     return made
 
@@ -135,10 +133,10 @@ def _result(name):
 def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
     first = made_up_plan(iterations=4, ants=10)
     (section,) = sections([(AcoImproved(), first, FOUND, (CLAIM,)), (AcoLost(), lost_plan(), LOST, ())])
-    names = [picture.file.name for picture in section.pictures]
+    names = [picture.stem for picture in section.pictures]
     stem = "plans-1-nofly-1000x660"
     assert names == [
-        f"{stem}-{name}.png"
+        f"{stem}-{name}"
         for name in ("comparison", "aco-improved", "aco-lost", "aco-improved-ants", "aco-lost-ants", "flown")
     ]
     told = [picture.caption for picture in section.pictures]
@@ -146,14 +144,15 @@ def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
     assert "not found" in told[2]
     assert told[3].endswith("Beside Fig. 12.")
     assert section.note == "a note"
-    for picture in section.pictures:
-        with Image.open(picture.file) as image:
+    files = drawn(section.pictures, tmp_path / "figures")
+    for file in files:
+        with Image.open(file) as image:
             assert image.width == 1600
-    again = sections([(AcoImproved(), first, FOUND, (CLAIM,)), (AcoLost(), lost_plan(), LOST, ())], folder="again")
-    for one, other in zip(section.pictures, again[0].pictures, strict=True):
-        assert one.file.read_bytes() == other.file.read_bytes()
+    (again,) = sections([(AcoImproved(), first, FOUND, (CLAIM,)), (AcoLost(), lost_plan(), LOST, ())])
+    for one, other in zip(files, drawn(again.pictures, tmp_path / "again"), strict=True):
+        assert one.read_bytes() == other.read_bytes()
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([], tmp_path / name, "Plans", plans=[section])
+        pdf_of([], tmp_path / name, "Plans", plans=[section])
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 6
 
@@ -161,23 +160,23 @@ def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
 def test_a_planner_without_a_search_has_its_plan_alone(sections, tmp_path):
     plan = dataclasses.replace(made_up_plan(), polylines=(), history=None, smallest_radius=None)
     (section,) = sections([(Exact(20.0), plan, CORNERED, ())])
-    assert [picture.file.stem for picture in section.pictures] == [
+    assert [picture.stem for picture in section.pictures] == [
         "plans-1-nofly-1000x660-exact", "plans-1-nofly-1000x660-flown",
     ]  # fmt: skip
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])
 
 
 def test_no_path_at_all(sections, tmp_path):
     (section,) = sections([(AcoLost(), lost_plan(), LOST, ())])
-    assert [picture.file.stem for picture in section.pictures] == [
+    assert [picture.stem for picture in section.pictures] == [
         "plans-1-nofly-1000x660-aco-lost", "plans-1-nofly-1000x660-aco-lost-ants",
     ]  # fmt: skip
-    write_pdf([], tmp_path / "a.pdf", "#panic()", plans=[dataclasses.replace(section, note="#panic() $x$ *b*")])
+    pdf_of([], tmp_path / "a.pdf", "#panic()", plans=[dataclasses.replace(section, note="#panic() $x$ *b*")])
 
 
 def test_a_planner_that_always_failed_has_a_row_and_no_picture(nofly, tmp_path):
     failed = PlanStatistics(seeds=2, found=0, missing={"failed": 2})
-    (section,) = plan_sections([by(nofly, Exact(), failed, seed=None)], [], {}, "", tmp_path)
+    (section,) = sections_of([by(nofly, Exact(), failed, seed=None)])
     assert section.pictures == []
     assert section.rows[0]["missing"] == "2 failed"
-    write_pdf([], tmp_path / "a.pdf", "Plans", plans=[section])
+    pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])

@@ -4,14 +4,13 @@ import pytest
 from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner, plan_with
-from reports.pdf_plans import plan_sections
 from reports.plan_figure import plan_figure
-from reports.plan_pictures import draw_plans
 from reports.plan_turn import came
 from reports.quantity import text
 from reports.routes_figure import COLUMNS, ROWS, Route, routes_figure, save_routes_figure
 from reports.style import VERMILION, style
 from sample_maps import box, scenario
+from small_reports import drawings_of, sections_of
 
 WALL = scenario(polygons=[box(55.0, 20.0, 4.0, 40.0)], unit=1.0)
 SPEEDS = (30.0, 45.0, 60.0)  # [km/h]
@@ -69,42 +68,39 @@ def by(planner, speed, claims=()):
     return PlannedBy(planner, WALL, 0, "case", NOTHING, claims, driven_at=speed)
 
 
-def test_a_campaign_has_one_picture_of_its_routes(tmp_path):
+def test_a_campaign_has_one_picture_of_its_routes():
     claims = [(Claim(planner="astar-four", source="paper", beside=Beside(plan=f"Fig. {i}")),) for i in (9, 10)]
     plans = {
         "printed, 45 km/h": by(printed(45.0), 12.5, claims[1]),
         "four": by(make_planner("astar-four", {}), 5.0, claims[0]),
     }
-    _, routes = draw_plans(plans, [], {}, tmp_path / "plans")
-    assert routes.file.name == "plans-routes.png"
+    _, routes = drawings_of(plans)
+    assert routes.stem == "plans-routes"
     assert routes.caption.startswith("astar-four and astar-arc-paper: the routes")
     assert routes.caption.endswith("or the slowest at which it is driven. Beside Fig. 9; Fig. 10.")
 
 
-def test_what_plans_need_is_explained_where_they_are_driven(tmp_path, monkeypatch):
-    monkeypatch.setattr("reports.pdf_plans.draw_plans", lambda *given: [])
+def test_what_plans_need_is_explained_where_they_are_driven(monkeypatch):
+    monkeypatch.setattr("reports.pdf_plans.plan_drawings", lambda *given: [])
     told = (
         "Needs: lateral acceleration, red over 0.6 g; of what is claimed, that of an arc which turns so far in 0.5 s."
     )
-    notes = [plan_sections([by(printed(45.0), speed)], [], {}, "Note.", tmp_path)[0].note for speed in (12.5, None)]
+    notes = [sections_of([by(printed(45.0), speed)], note="Note.")[0].note for speed in (12.5, None)]
     assert notes == [f"{told} Note.", "Note."]
 
 
-def test_more_speeds_than_a_page_holds_go_on_the_next(tmp_path, monkeypatch):
-    shown = []
-    monkeypatch.setattr("reports.plan_pictures.save_routes_figure", lambda scenario, rows, file: shown.append(rows))
-    monkeypatch.setattr("reports.plan_pictures.save_sector_figure", lambda scenario, searches, file: None)
+def test_more_speeds_than_a_page_holds_go_on_the_next():
     speeds = np.linspace(30.0, 60.0, COLUMNS * ROWS + 1)
     plans = {f"{kmh:.4g} km/h": by(printed(kmh), kmh / 3.6) for kmh in speeds}
-    names = [picture.file.name for picture in draw_plans(plans, [], {}, tmp_path / "plans")[1:]]
-    assert names == ["plans-routes-1.png", "plans-routes-2.png"]
-    assert [[len(row) for row in page] for page in shown] == [[COLUMNS] * ROWS, [1]]
+    pages = drawings_of(plans)[1:]
+    assert [page.stem for page in pages] == ["plans-routes-1", "plans-routes-2"]
+    assert [[len(row) for row in page.arguments[1]] for page in pages] == [[COLUMNS] * ROWS, [1]]
 
 
-def test_aircraft_keep_a_picture_each(tmp_path):
+def test_aircraft_keep_a_picture_each():
     plans = {name: by(make_planner(name, {}), None) for name in ("astar-four", "exact")}
-    names = [picture.file.name for picture in draw_plans(plans, [], {}, tmp_path / "plans")]
-    assert names == ["plans-astar-four.png", "plans-exact.png"]
+    names = [picture.stem for picture in drawings_of(plans)]
+    assert names == ["plans-astar-four", "plans-exact"]
 
 
 def test_the_picture_of_one_plan_says_why_there_is_none_within_its_width():

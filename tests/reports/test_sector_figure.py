@@ -7,10 +7,10 @@ from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner
 from planners.astar.arc_printed import children, descent_of
-from reports.plan_pictures import draw_plans
 from reports.sector_figure import most_cut, save_sector_figure, sector_figure
 from reports.style import style
 from sample_maps import WALLED, box, scenario
+from small_reports import drawings_of, drawn
 
 POST = scenario(circles=[(60.0, 41.3, 1.5)], goal=(105.0, 40.0), unit=1.0)
 WALL = scenario(polygons=[box(55.0, 20.0, 4.0, 40.0)], unit=1.0)
@@ -61,14 +61,14 @@ def test_a_campaign_draws_the_sectors_of_its_planners(tmp_path):
     claim = Claim(planner="astar-arc-paper", source="paper", beside=Beside(sectors="Fig. 7"))
     four = {**PLANNERS, "20 km/h": make_planner("astar-arc-paper", {"speed": "20km/h"})}
     plans = {name: PlannedBy(planner, POST, 0, "case", nothing, (claim,)) for name, planner in four.items()}
-    first = draw_plans(plans, [], {}, tmp_path / "plans")[0]
-    assert first.file.name == "plans-sectors.png"
+    first = drawings_of(plans)[0]
+    assert first.stem == "plans-sectors"
     assert first.caption.startswith("30 km/h, 45 km/h and 60 km/h: above")
     assert first.caption.endswith("Beside Fig. 7.")
     save_sector_figure(POST, PLANNERS, tmp_path / "again.png")
-    assert first.file.read_bytes() == (tmp_path / "again.png").read_bytes()
+    assert drawn([first], tmp_path / "figures")[0].read_bytes() == (tmp_path / "again.png").read_bytes()
 
 
-def test_where_nothing_was_searched_there_is_no_picture_of_sectors(tmp_path):
+def test_where_nothing_was_searched_there_is_no_picture_of_sectors():
     plans = {"none": PlannedBy(PLANNERS["60 km/h"], WALLED, 0, "case", PlanStatistics(seeds=1, found=0, missing={}))}
-    assert [picture.file.name for picture in draw_plans(plans, [], {}, tmp_path / "plans")] == ["plans-none.png"]
+    assert [picture.stem for picture in drawings_of(plans)] == ["plans-none"]

@@ -15,14 +15,14 @@ from campaigns.store import Row
 from campaigns.summary import CaseResult
 from reports.condition_words import condition_words
 from reports.names import listed
-from reports.pdf import write_pdf
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
-from reports.style import style
+from reports.style import save, style
 from reports.track_figure import track_figure
 from reports.trials_data import strips
-from reports.trials_figure import save_trials_figure, trials_figure
+from reports.trials_figure import trials_figure
 from reports.trials_words import case_verdict_words, worst_name
+from small_reports import pdf_of
 from tracking.profile import PIECES
 
 
@@ -57,9 +57,9 @@ def result_of(outcome, trials=8, bad=1, errors=0, number=1, **case):
     return CaseResult(number, stated, statistics(rows, better), units)
 
 
-def drawn(result, outcome, page=False):
+def drawn(result, outcome):
     with style():
-        return trials_figure(result, outcome, page)
+        return trials_figure(result, outcome)
 
 
 def line(axes, label):
@@ -128,12 +128,11 @@ def test_dots_far_beyond_the_limit_stand_at_the_edge(yard):
     assert "beyond 200 %" in axes.get_xlabel()
 
 
-@pytest.mark.parametrize("page", [False, True])
 @pytest.mark.parametrize("name", ["route", "yard", "sharp_yard"])
-def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, request):
+def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, request):
     outcome = request.getfixturevalue(name)
     with style():
-        figure = trials_figure(result_of(outcome, trials=1000), outcome, page)
+        figure = trials_figure(result_of(outcome, trials=1000), outcome)
         drawn = figure.get_tightbbox()
         assert drawn.x0 >= 0.0
         assert drawn.y0 >= 0.0
@@ -147,7 +146,8 @@ def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, reques
 def test_figure_is_the_same_bytes_and_small(yard, suffix, trials, tmp_path):
     files = [tmp_path / f"{name}.{suffix}" for name in "ab"]
     for file in files:
-        save_trials_figure(result_of(yard, trials), yard, file)
+        with style():
+            save(trials_figure(result_of(yard, trials), yard), file)
     assert files[0].read_bytes() == files[1].read_bytes()
     assert files[0].stat().st_size < 1_000_000
     if suffix == "png":
@@ -249,7 +249,7 @@ def test_pdf_of_trials(yard, sharp_yard, tmp_path):
         result_of(named(yard, "never ran"), trials=1, bad=0, errors=1),
     ]
     for name in ("a.pdf", "b.pdf"):
-        write_pdf([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
+        pdf_of([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
     assert pages(tmp_path / "a.pdf") == 1 + 2 + 1 + 2
 

@@ -1,0 +1,60 @@
+"""The report of a campaign, in every form that is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from pathlib import Path
+
+from campaigns.campaign import replay_command
+from campaigns.finished import Finished
+from campaigns.lanes import Lanes
+from planners.files.text import write_text
+from reports.drawing import draw_all
+from reports.junit import campaign_junit
+from reports.pdf import write_pdf
+from reports.pdf_plans import plan_sections
+from reports.report_data import Report, report_of
+from reports.summary_markdown import markdown
+
+# What each form is written to, within the results folder
+FILES = {
+    "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",
+}  # fmt: skip
+_DRAWN = {"pdf", "png", "md"}  # forms that need figures
+
+
+def write_report(
+    finished: Finished, lanes: Lanes, forms: Collection[str] = tuple(FILES), paper: str = "a4"
+) -> list[Path]:
+    """Write the `forms`, keys of `FILES`, into the campaign's folder; returns what was written.
+
+    Figures are drawn in `lanes`. The same results give the same bytes. Raises `InputError` or `TrackworthyError` for a
+    file that cannot be written.
+    """
+    folder, figures = finished.folder, finished.folder / "figures"
+    report = campaign_report(finished, lanes)
+    if _DRAWN & set(forms):
+        figures.mkdir(exist_ok=True)
+        draw_all(report.drawings, figures, lanes)
+    write: dict[str, Callable[[Path], None]] = {
+        "pdf": lambda file: write_pdf(report, figures, file, paper),
+        "html": lambda file: None,
+        "png": lambda file: None,
+        "junit": lambda file: write_text(file, campaign_junit(finished)),
+        "md": lambda file: write_text(file, markdown(finished, report)),
+    }
+    for form in forms:
+        write[form](folder / FILES[form])
+    return [folder / FILES[form] for form in forms]
+
+
+def campaign_report(finished: Finished, lanes: Lanes) -> Report:
+    """What there is to tell of a campaign; plans to be drawn are made again in `lanes`."""
+    campaign, results = finished.campaign, finished.results
+    outcomes = [finished.outcomes[result.case.name] for result in results if result.case.name in finished.outcomes]
+    worst = {result.case.name: result.worst.trial for result in results if result.worst}
+    commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
+    plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
+    return report_of(
+        outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans
+    )

@@ -1,0 +1,43 @@
+"""`trackworthy report`: the report of a campaign again, from what is stored."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+FORMS = ("pdf", "html", "png", "junit", "md")  # those of `reports.write.FILES`
+DRAWING = 300.0  # [s] that a figure, or a trial to be flown again, may take
+PAPERS = {"a4": "a4", "letter": "us-letter"}
+
+
+def add_parser(commands: Any) -> None:
+    """Declare the command's arguments."""
+    parser = commands.add_parser(
+        "report",
+        help="write the report of a campaign again",
+        description="Write the report of a campaign again, from what is stored in its folder.",
+    )
+    parser.set_defaults(main=main)
+    add = parser.add_argument
+    add("folder", metavar="DIR", help="results of a campaign, as `trackworthy run` leaves them")
+    add("--format", action="append", choices=FORMS, default=[], help="only this form; repeatable (default: all)")
+    add("--paper", choices=tuple(PAPERS), default="a4", help="of the PDF (default: a4)")
+    add("-j", "--jobs", type=int, metavar="N", help="processes to draw in (default: one a processor)")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Write it, and name the files."""
+    from campaigns.execute import Machines, default_jobs
+    from campaigns.finished import read_finished
+    from planners.errors import InputError
+    from reports.write import write_report
+
+    if args.jobs is not None and args.jobs < 1:
+        raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
+    folder = Path(args.folder)
+    with Machines(args.jobs or default_jobs()).lanes(DRAWING) as lanes:
+        finished = read_finished(folder, lanes)
+        for file in write_report(finished, lanes, args.format or FORMS, PAPERS[args.paper]):
+            print(file)
+    return 0
