@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 from campaigns.finished import Finished
@@ -68,7 +69,7 @@ def _about(finished: Finished) -> Json:
     return {
         "name": manifest.name,
         "note": campaign.note,
-        "command": f"trackworthy run {manifest.called or campaign.file}",
+        "command": shlex.join(["trackworthy", "run", finished.called]),
         "seed": str(manifest.seed),
         "trials": campaign.trials,
         "schema": manifest.schema_version,
