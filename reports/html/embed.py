@@ -13,13 +13,16 @@ from planners.errors import TrackworthyError
 from reports.json_result import Json
 
 # A name may hold anything: nothing in it may end the element that it stands in, or begin another.
-_ESCAPES = {ord(c): f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"}
+_ESCAPED = "<>&\u2028\u2029"
 _LEVEL = 9
 
 
 def as_json(data: Json) -> str:
     """`data` as JSON that may stand in a script element, shortest, and without NaN."""
-    return json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).translate(_ESCAPES)
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    for character in _ESCAPED:
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text
 
 
 def plotly() -> str:

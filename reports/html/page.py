@@ -52,7 +52,13 @@ def _content(finished: Finished, data: dict[str, Json], room: int) -> dict[str, 
         for result in finished.results
         if result.case.name in finished.outcomes
     }
-    fixed = {"told": told, "rows": case_rows(finished), "spread": spread, "about": _about(finished), "requirements": requirement_rows(finished)}
+    fixed = {
+        "told": told,
+        "rows": case_rows(finished),
+        "spread": spread,
+        "about": _about(finished),
+        "requirements": requirement_rows(finished),
+    }
     room -= len(as_json({**fixed}).encode())
     cases = worst_runs(finished, world, int(_WORST * room))
     maps = {"maps": [*world.maps], "paths": [*world.paths]}

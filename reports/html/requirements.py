@@ -18,7 +18,10 @@ def requirement_rows(finished: Finished) -> list[Json]:
         for outcome in finished.outcomes.values()
         for margin in outcome.verdict.margins
     )  # fmt: skip
-    return [{"words": words, "limit": limit, "source": source, "cases": cases} for (words, limit, source), cases in count.items()]
+    return [
+        {"words": words, "limit": limit, "source": source, "cases": cases}
+        for (words, limit, source), cases in count.items()
+    ]
 
 
 def _limit(comparison: str, limit: float, unit: str) -> str:

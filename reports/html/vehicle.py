@@ -94,7 +94,9 @@ def _bounds(panel: Panel, outcome: Outcome) -> tuple[Floats | None, Floats | Non
     """Between which limits the panel's values are to be; of height and airspeed as far as one is stated."""
     if panel.limit is not None:
         return -panel.limit, panel.limit
-    metric = {"Height": "altitude_error_max", "Airspeed": "speed_error_max", "Speed": "speed_error_max"}.get(panel.title)
+    metric = {"Height": "altitude_error_max", "Airspeed": "speed_error_max", "Speed": "speed_error_max"}.get(
+        panel.title
+    )
     stated = [m.requirement.limit for m in outcome.verdict.margins if m.requirement.metric == metric]
     if not stated or panel.command is None:
         return None, None
