@@ -21,16 +21,16 @@ _WORST, _PICTURES = 0.45, 0.5  # shares of what is left: of the worst runs, and 
 _HERE = Path(__file__).parent
 _SCRIPTS = (
     "page", "numbers", "overview", "matrix", "cases", "case_tables", "plots", "spread", "map", "body",
-    "attitude", "replay", "case", "plans", "appendix", "start",
+    "attitude", "replay", "case", "plans", "scenarios", "check", "appendix", "start",
 )  # fmt: skip
 
 
 def write_html(finished: Finished, data: dict[str, Json], file: Path, limit: int = LIMIT) -> None:
     """Write the page on a `finished` campaign: the same results give the same bytes.
 
-    `data` is what the report tells in words and tables; the pictures that it names lie in the folder's `figures`. Tracks
-    and pictures are left out, and counted on the page, where they would make the file larger than `limit` bytes. The
-    file appears whole or not at all. Raises `InputError` where its folder does not exist.
+    `data` is what the report tells in words and tables; the pictures that it names lie in the folder's `figures`.
+    Tracks and pictures are left out, and counted on the page, where they would make the file larger than `limit` bytes.
+    The file appears whole or not at all. Raises `InputError` where its folder does not exist.
     """
     library = plotly()
     content = as_json(_content(finished, data, limit - len(library)))
@@ -66,7 +66,7 @@ def _content(finished: Finished, data: dict[str, Json], room: int) -> dict[str, 
     sections = data.get("plans")
     listed = sections if isinstance(sections, list) else []
     plans, left = embedded(listed, finished.folder / "figures", int(_PICTURES * room))
-    add_others(finished, cases, room - int(_PICTURES * room) + left)
+    add_others(finished, cases, world, room - int(_PICTURES * room) + left)
     return {**fixed, **maps, "cases": {**cases}, "plans": plans}
 
 

@@ -8,21 +8,20 @@ from campaigns.finished import Finished
 from reports.json_result import Json
 from reports.names import listed
 from reports.quantity import text_with_g
+from tracking.metric import Requirement
 
 
 def requirement_rows(finished: Finished) -> list[Json]:
     """A row for each limit on a metric, as the verdicts of the worst trials hold it."""
+    margins = [margin for outcome in finished.outcomes.values() for margin in outcome.verdict.margins]
     count = Counter(
-        (listed(margin.requirement.metric), _limit(margin.requirement.comparison, margin.requirement.limit, margin.metric.unit),
-         margin.requirement.source)
-        for outcome in finished.outcomes.values()
-        for margin in outcome.verdict.margins
-    )  # fmt: skip
+        (one.requirement.metric, _limit(one.requirement, one.metric.unit), one.requirement.source) for one in margins
+    )
     return [
-        {"words": words, "limit": limit, "source": source, "cases": cases}
-        for (words, limit, source), cases in count.items()
+        {"words": listed(metric), "limit": limit, "source": source, "cases": cases}
+        for (metric, limit, source), cases in count.items()
     ]
 
 
-def _limit(comparison: str, limit: float, unit: str) -> str:
-    return f"{'≤' if comparison == '<=' else '≥'} {text_with_g(limit, unit)}"
+def _limit(requirement: Requirement, unit: str) -> str:
+    return f"{'≤' if requirement.comparison == '<=' else '≥'} {text_with_g(requirement.limit, unit)}"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
+
 from campaigns.finished import Finished
 from campaigns.summary import CaseResult
 from reports.extent import whole, whole_fleet
@@ -32,13 +34,13 @@ def worst_runs(finished: Finished, world: World, room: int) -> dict[str, dict[st
     return found
 
 
-def add_others(finished: Finished, cases: dict[str, dict[str, Json]], room: int) -> None:
+def add_others(finished: Finished, cases: dict[str, dict[str, Json]], world: World, room: int) -> None:
     """Add the other trials whose tracks were kept to their `cases` until `room` bytes are used, and count the rest."""
     for kept in kept_trials(finished):
         case, outcome = cases[kept.result.case.name], finished.outcomes[kept.result.case.name]
         runs = case["runs"]
         assert isinstance(runs, list)
-        if room > 0 and (run := _other(kept, outcome, case)) is not None:
+        if room > 0 and (run := _other(kept, outcome, case, world)) is not None:
             size = len(json.dumps(run))
             room -= size
             if room > 0:
@@ -71,20 +73,16 @@ def _case(result: CaseResult, outcome: Outcome, world: World, most: int) -> dict
     }
 
 
-def _other(kept: Kept, worst: Outcome, case: dict[str, Json]) -> dict[str, Json] | None:
+def _other(kept: Kept, worst: Outcome, case: dict[str, Json], world: World) -> dict[str, Json] | None:
     """The run of another trial; on a plan of its own, its path is not on the page. None where its track is damaged."""
-    runs = case["runs"]
-    assert isinstance(runs, list)
-    assert isinstance(runs[0], dict)
-    paths = [None if kept.result.case.replan else one["path"] for one in runs[0]["vehicles"]]  # type: ignore[index, union-attr, call-overload]
     most = max(_LEAST, int(_OTHERS * _number(case["samples"])))
     told = list(replayed(kept, worst))
     if not told:
         return None
-    vehicles: list[Json] = [
-        vehicle_data(member, departure, number, most, path)
-        for number, ((member, departure), path) in enumerate(zip(told, paths, strict=False), start=1)
-    ]
+    vehicles: list[Json] = []
+    for number, (member, departure) in enumerate(told, start=1):
+        path = None if kept.result.case.replan else world.path(member.path, member.corridor)
+        vehicles.append(vehicle_data(member, departure, number, most, path))
     return _run(kept.trial, told[0][0], vehicles)
 
 
@@ -102,10 +100,11 @@ def _run(trial: int, outcome: Outcome, vehicles: list[Json]) -> dict[str, Json]:
 def _focus(outcome: Outcome) -> Json:
     """The place that the figures mark [m], when the vehicle is there on the clock of all [s], and what it is."""
     marked, fleet = focus(outcome), outcome.fleet
-    if marked is None or marked.index is None:
-        return None
     own = fleet.members[fleet.member] if fleet else outcome
-    clock = float(own.track["t"][marked.index]) + (fleet.departures[fleet.member] if fleet else 0.0)
+    if marked is None or not np.isfinite(own.track["s"]).any():
+        return None
+    index = int(np.nanargmin(np.abs(own.track["s"] - marked.s))) if marked.index is None else marked.index
+    clock = float(own.track["t"][index]) + (fleet.departures[fleet.member] if fleet else 0.0)
     return {
         "x": round(marked.x, 3),
         "y": round(marked.y, 3),

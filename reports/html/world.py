@@ -26,19 +26,24 @@ class World:
     def __init__(self) -> None:
         self.maps: list[Json] = []
         self.paths: list[Json] = []
-        self._known: dict[int, tuple[Map, int]] = {}  # by identity; the map is held so that no other takes its place
+        # By identity; what is held keeps its own
+        self._maps: dict[int, tuple[Map, int]] = {}
+        self._paths: dict[tuple[int, float], tuple[Path, int]] = {}
 
     def map(self, area: Map | None) -> int | None:
         """The place of `area` among the maps; None for no map."""
         if area is None:
             return None
-        if id(area) not in self._known:
-            self._known[id(area)] = (area, _once(self.maps, map_data(area)))
-        return self._known[id(area)][1]
+        if id(area) not in self._maps:
+            self._maps[id(area)] = (area, _once(self.maps, map_data(area)))
+        return self._maps[id(area)][1]
 
     def path(self, path: Path, corridor: float) -> int:
         """The place of `path` with its `corridor` [m] among the paths."""
-        return _once(self.paths, path_data(path, corridor))
+        key = (id(path), corridor)
+        if key not in self._paths:
+            self._paths[key] = (path, _once(self.paths, path_data(path, corridor)))
+        return self._paths[key][1]
 
 
 def map_data(area: Map) -> Json:

@@ -45,28 +45,43 @@ function toldOf(row) {
   return TOLD.rows[row.number - 1] || (TOLD.rows || []).find((one) => one.name === row.name) || {};
 }
 
+/** What was tested, in a few lines. */
+function tested() {
+  const rows = (TOLD.front && TOLD.front.tested) || [];
+  section("tested", "What was tested", rows.length > 0 && make("dl", { class: "facts" }, rows.map(([word, values]) => [make("dt", {}, word), make("dd", {}, values)])));
+}
+
+/** The worst cases in the words of the report's front page, those not as expected first. */
+function frontGroups() {
+  const groups = TOLD.front.worst.map((group) => [
+    make("h3", {}, group.title),
+    make("ul", { class: "worst" }, group.rows.map((row) => make("li", {}, make("b", { class: row.good ? "good" : "bad" }, `${row.mark} `),
+      row.name && [caseLink(row.case, row.name), " "], row.words))),
+    group.more > 0 && make("p", { class: "muted small" }, `and ${group.more} more`),
+  ]);
+  section("worst", "The worst, and why", groups);
+}
+
 function worstCases() {
+  if (TOLD.front) {
+    frontGroups();
+    return;
+  }
   const rows = worstRows();
   if (rows.length === 0) return;
   const failed = rows.some((row) => !row.passed);
   const items = rows.map((row) => make("li", {},
     badge(row.verdict), " ", make("a", { href: `#case-${row.number}` }, row.name),
     make("span", { class: "muted" }, ` · ${[row.vehicle, row.controller, row.speed_words].filter(Boolean).join(" · ")}`),
-    make("div", {}, plainReason(row))));
+    make("div", {}, toldOf(row).why)));
   const left = DATA.rows.filter((row) => !row.passed).length - rows.length;
   section("worst", failed ? "What did not come out as expected" : "Closest to their limits",
     make("ul", { class: "worst" }, items),
     failed && left > 0 && make("p", { class: "muted" }, `and ${left} more, in the table of cases`));
 }
 
-/** Why, in the plain words of the front page where there are such. */
-function plainReason(row) {
-  const front = TOLD.front && Array.isArray(TOLD.front.worst) ? TOLD.front.worst : [];
-  const found = front.find((one) => one.name === row.name);
-  return (found && (found.why || found.sentence || found.text)) || toldOf(row).why || "";
-}
-
 function repeat() {
   const note = DATA.about.note;
-  section("repeat", "To repeat it", command(DATA.about.command), note && make("p", { class: "muted small" }, note));
+  const one = TOLD.front && TOLD.front.repeat_one;
+  section("repeat", "To repeat it", command(DATA.about.command), one && [make("p", { class: "muted small" }, "One trial of a case:"), command(one)], note && make("p", { class: "muted small" }, note));
 }

@@ -47,12 +47,15 @@ function route() {
 }
 
 banner();
+tested();
 worstCases();
 repeat();
 matrix();
 casesTable();
+scenariosSection();
 plansSection();
 searchesSection();
+checkSection();
 appendix();
 byId("foot").textContent = `trackworthy ${DATA.about.versions.trackworthy || ""} · all of this page is in this file; it asks no network.`;
 window.addEventListener("hashchange", route);

@@ -8,11 +8,11 @@ import pytest
 from reports.html.page import write_html
 
 pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
-from selenium import webdriver  # noqa: E402
-from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
-from selenium.webdriver.common.by import By  # noqa: E402
-from selenium.webdriver.common.keys import Keys  # noqa: E402
-from selenium.webdriver.support.ui import Select, WebDriverWait  # noqa: E402
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select, WebDriverWait
 
 PATIENCE = 60.0  # [s] for a machine that is busy
 FLAGS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1280,1400")
@@ -137,7 +137,8 @@ def test_a_click_on_the_error_goes_there(page):
     plots = page.find_element(By.ID, "plots")
     page.execute_script("arguments[0].scrollIntoView({ block: 'center' })", plots)
     inside = page.execute_script(
-        "const f = document.getElementById('plots')._fullLayout, r = document.getElementById('plots').getBoundingClientRect();"
+        "const plots = document.getElementById('plots');"
+        "const f = plots._fullLayout, r = plots.getBoundingClientRect();"
         "return [r.width, r.height, f.xaxis._offset + 0.7 * f.xaxis._length, f.yaxis._offset + 0.5 * f.yaxis._length]"
     )
     width, height, x, y = inside
