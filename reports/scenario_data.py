@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from campaigns.summary import CaseResult
+from reports.across import Across
 from reports.deciding import severity
 from reports.dimensions import scales, scenario_words
 from reports.fleet_words import called
@@ -24,13 +25,11 @@ def scenarios_data(
     results: Sequence[CaseResult],
     outcomes: Mapping[str, Outcome],
     plans: Mapping[str, dict[str, Json]],
-    figures: Mapping[str, Sequence[Json]] | None = None,
-    versus: Mapping[str, Sequence[Json]] | None = None,
+    across: Across,
 ) -> list[dict[str, Json]]:
     """A scenario each, in the order of the cases, those without a map by their path's file.
 
-    `plans` are the tables of the plans by the name of a case that flies one of them, `figures` and `versus` those of a
-    scenario by its name.
+    `plans` are the tables of the plans by the name of a case that flies one of them.
     """
     found = scales([result.case for result in results])
     groups: dict[str, list[CaseResult]] = {}
@@ -41,10 +40,12 @@ def scenarios_data(
             "name": name,
             "about": _about(group),
             "cases": [result.case.name for result in group],
-            "figures": [*(figures or {}).get(name, ())],
+            "figures": [
+                {"file": one.svg, "caption": one.caption} for one in across.figures.get(group[0].case.name, ())
+            ],
             **_violations(group, outcomes),
             "plans": next((plans[one.case.name] for one in group if one.case.name in plans), None),
-            "versus": [*(versus or {}).get(name, ())],
+            "versus": [*across.versus_of([result.case.name for result in group])],
         }
         for name, group in groups.items()
     ]

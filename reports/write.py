@@ -9,6 +9,7 @@ from campaigns.campaign import replay_command
 from campaigns.finished import Finished
 from campaigns.lanes import Lanes
 from planners.files.text import write_text
+from reports.across import across_cases
 from reports.drawing import draw_all
 from reports.html.page import write_html
 from reports.junit import campaign_junit
@@ -55,8 +56,8 @@ def campaign_report(finished: Finished, lanes: Lanes) -> Report:
     outcomes = [finished.outcomes[result.case.name] for result in results if result.case.name in finished.outcomes]
     worst = {result.case.name: result.worst.trial for result in results if result.worst}
     commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
-    plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
+    plans = plan_sections(finished.plans, results, campaign.note, lanes)
     return report_of(
         outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
-        manifest=finished.manifest,
+        manifest=finished.manifest, across=across_cases(finished),
     )  # fmt: skip
