@@ -37,7 +37,7 @@ def front_data(
     """The page of a campaign that was given as `campaign` on the command line, "" for one that is not known."""
     again = ["trackworthy", "run", campaign]
     return {
-        "headline": headline(results, searches),
+        "headline": {**headline(results, searches)},
         "counts": counts_words(results, searches),
         "good": all(result.passed for result in results) and all(one.passed is not False for one in searches),
         "tested": _tested(results, outcomes, searches),

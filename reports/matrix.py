@@ -45,7 +45,7 @@ def matrix_data(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) 
             [_cell(groups[row, column], outcomes) if (row, column) in groups else None for column in columns]
             for row in rows
         ],
-        "same": same,
+        "same": [*same],
     }
 
 
