@@ -7,6 +7,7 @@ import math
 from reports.fleet_words import GROUND, called, departure_words, ended_words, remedy_words, vehicle_words
 from reports.names import spoken
 from reports.quantity import pair, text
+from sim.planet import ALL_PLANETS, EARTH
 from sim.vehicle import GROUND as ON_GROUND
 from sim.vehicle import NOT_A_NUMBER, STALL
 from sim.wind import Wind
@@ -50,6 +51,12 @@ def conditions(outcome: Outcome) -> tuple[str, ...]:
     wind, late = outcome.conditions.wind, departure_words(outcome.fleet)
     blown = outcome.limits.kind != GROUND or wind.speed > 0.0
     return (speed_words(outcome), *([wind_words(wind)] if blown else []), *([late] if late else []))
+
+
+def planet_words(outcome: Outcome) -> list[str]:
+    """ "on Mars", known by its gravity, or nothing for the Earth."""
+    found = [planet for planet in ALL_PLANETS if math.isclose(planet.gravity, outcome.limits.gravity, rel_tol=0.01)]
+    return [f"on {planet.name.capitalize()}" for planet in found if planet != EARTH]
 
 
 def speed_words(outcome: Outcome) -> str:

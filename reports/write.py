@@ -10,6 +10,7 @@ from campaigns.finished import Finished
 from campaigns.lanes import Lanes
 from planners.files.text import write_text
 from reports.drawing import draw_all
+from reports.html.page import write_html
 from reports.junit import campaign_junit
 from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
@@ -20,7 +21,7 @@ from reports.summary_markdown import markdown
 FILES = {
     "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",
 }  # fmt: skip
-_DRAWN = {"pdf", "png", "md"}  # forms that need figures
+_DRAWN = {"pdf", "html", "png", "md"}  # forms that need figures
 
 
 def write_report(
@@ -38,7 +39,7 @@ def write_report(
         draw_all(report.drawings, figures, lanes)
     write: dict[str, Callable[[Path], None]] = {
         "pdf": lambda file: write_pdf(report, figures, file, paper),
-        "html": lambda file: None,
+        "html": lambda file: write_html(finished, report.data, file),
         "png": lambda file: None,
         "junit": lambda file: write_text(file, campaign_junit(finished)),
         "md": lambda file: write_text(file, markdown(finished, report)),
@@ -57,5 +58,5 @@ def campaign_report(finished: Finished, lanes: Lanes) -> Report:
     plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
     return report_of(
         outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
-        manifest=finished.manifest,
+        manifest=finished.manifest, limits=campaign.check,
     )  # fmt: skip

@@ -2,7 +2,12 @@ import dataclasses
 
 from sample_results import result_of, unplanned
 
+from reports.scenario_cases import scenario_runs
 from reports.scenario_data import scenarios_data
+
+
+def told_of(results, outcomes, plans=None):
+    return scenarios_data(scenario_runs(results, outcomes), plans or {})
 
 
 def test_cases_go_under_their_map_or_their_path(route, yard):
@@ -11,7 +16,7 @@ def test_cases_go_under_their_map_or_their_path(route, yard):
         unplanned(scenario="mars-gap"),
         result_of(yard, trials=1, bad=0, number=3, path="folder/a.plan"),
     ]
-    told = scenarios_data(results, {route.name: route, yard.name: yard}, {"lost": {"rows": []}})
+    told = told_of(results, {route.name: route, yard.name: yard}, {"lost": {"rows": []}})
     assert [one["name"] for one in told] == ["a.plan", "mars-gap"]
     assert [one["cases"] for one in told] == [[route.name, yard.name], ["lost"]]
     assert [one["plans"] for one in told] == [None, {"rows": []}]
@@ -19,7 +24,7 @@ def test_cases_go_under_their_map_or_their_path(route, yard):
 
 def test_what_is_missed_the_worst_first_with_the_share_of_trials(route):
     result = result_of(route, trials=8, bad=3, path="a.plan")
-    (told,) = scenarios_data([result], {route.name: route}, {})
+    (told,) = told_of([result], {route.name: route})
     missed = [margin for margin in route.verdict.margins if not margin.met]
     assert len(told["violations"]) == told["violations_count"] == len(missed) > 0
     row = next(row for row in told["violations"] if row["words"] == "cross-track error, max")
@@ -28,16 +33,16 @@ def test_what_is_missed_the_worst_first_with_the_share_of_trials(route):
 
 
 def test_what_could_not_be_tried_is_told(route):
-    (told,) = scenarios_data([result_of(route, trials=4, bad=0, errors=3, path="a.plan")], {}, {})
+    (told,) = told_of([result_of(route, trials=4, bad=0, errors=3, path="a.plan")], {})
     assert told["violations"][0]["words"] == "failed to run"
     assert told["violations"][0]["trials"] == "3 of 4"
-    (told,) = scenarios_data([unplanned(trials=2)], {}, {})
+    (told,) = told_of([unplanned(trials=2)], {})
     assert (told["violations"][0]["words"], told["violations"][0]["note"]) == ("no path", "none of 9 ants arrived")
 
 
 def test_no_more_than_a_page_of_them(route):
     outcomes = {f"c{i}": dataclasses.replace(route, name=f"c{i}") for i in range(40)}
     results = [result_of(one, trials=1, bad=1, number=i, path="a.plan") for i, one in enumerate(outcomes.values())]
-    (told,) = scenarios_data(results, outcomes, {})
+    (told,) = told_of(results, outcomes)
     assert len(told["violations"]) == 14
     assert told["violations_count"] >= 40

@@ -49,7 +49,7 @@ def here(monkeypatch):
 @pytest.fixture
 def no_report(monkeypatch):
     """Results without figures and PDF, which take longer than short trials."""
-    monkeypatch.setattr("trackworthy.run._write", lambda *_: None)
+    monkeypatch.setattr("reports.write.write_report", lambda *_: [])
 
 
 def campaign(tmp_path, text):
