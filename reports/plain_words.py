@@ -16,7 +16,7 @@ from sim.vehicle import STALL
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 
-_AN = re.compile(r"8|1[18](?!\d)")
+_AN = re.compile(r"8|1[18](?!\d)|[aeio]|RMS")
 _FAULT_WORDS = {STALL: "stalls", ON_GROUND: "hits the ground"}
 
 
@@ -87,9 +87,9 @@ def because(outcome: Outcome, margin: Margin) -> str:
     return f"{which} needs {_a(needed)} turn and offers {offered}"
 
 
-def _a(number: str) -> str:
-    """The `number` with its article, as it is spoken: "a 7 m", "an 8 m", "an 11.8 m", "a 110 m"."""
-    return f"{'an' if _AN.match(number) else 'a'} {number}"
+def _a(words: str) -> str:
+    """The `words` with their article, as they are spoken: "a 7 m", "an 8 m", "an 11.8 m", "a 110 m", "an RMS"."""
+    return f"{'an' if _AN.match(words) else 'a'} {words}"
 
 
 def _where(outcome: Outcome, margin: Margin) -> str:
@@ -120,7 +120,7 @@ def _cross_track(outcome: Outcome, margin: Margin) -> str:
     share = metric.name.removeprefix("cross_track_p")
     if share.isdigit():
         return f"keeps within {value} of the path for {int(share)} % of the way, where {bound} is allowed"
-    return f"has a {spoken(metric.name)} of {value}, where {bound} is allowed"
+    return f"has {_a(spoken(metric.name))} of {value}, where {bound} is allowed"
 
 
 def _completion(outcome: Outcome, margin: Margin) -> str:
@@ -180,7 +180,7 @@ def _range(outcome: Outcome, margin: Margin) -> str:
 def _other(outcome: Outcome, margin: Margin) -> str:
     value, limit = pair(margin.metric.value, margin.requirement.limit, margin.metric.unit)
     asked = "at most" if margin.requirement.comparison == "<=" else "at least"
-    return f"has a {spoken(margin.metric.name)} of {value}{_where(outcome, margin)}, where {asked} {limit} is asked"
+    return f"has {_a(spoken(margin.metric.name))} of {value}{_where(outcome, margin)}, where {asked} {limit} is asked"
 
 
 # A metric is told by the first start of its name.

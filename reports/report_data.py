@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from campaigns.gate import Check
+from campaigns.limits import Limit
 from campaigns.manifest import Manifest
 from campaigns.searches import SearchResult
 from campaigns.summary import CaseResult
-from reports.across import Across
 from reports.appendix import appendix_data
 from reports.case_drawings import fleet_drawing, track_drawing, trial_name, trials_drawing
 from reports.check_data import check_data
@@ -21,9 +21,12 @@ from reports.pdf_case import case_data
 from reports.pdf_plans import Section, section_data
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
+from reports.scenario_cases import scenario_runs
 from reports.scenario_data import scenarios_data
+from reports.scenario_pictures import scenario_figures
 from reports.search_words import search_tables
 from reports.slug import slug
+from reports.versus_section import versus_section
 from tracking.outcome import Outcome
 
 
@@ -47,14 +50,14 @@ def report_of(
     plans: Sequence[Section] = (),
     manifest: Manifest | None = None,
     check: Check | None = None,
-    across: Across | None = None,
+    limits: Mapping[str, Limit] | None = None,
 ) -> Report:
     """The report on `outcomes` under `title`.
 
     `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
     its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case.
     `searches` are what its searches found, `plans` what is told of its planners' plans, `manifest` what made them,
-    `check` what became of a baseline, and `across` what is shown across cases.
+    `check` what became of a baseline, and `limits` what the campaign's own gate allows.
     """
     by_name = {result.case.name: result for result in results}
     pages = {outcome.name: number for number, outcome in enumerate(outcomes)}
@@ -64,15 +67,16 @@ def report_of(
     ]
     rows = summary_rows(outcomes, results, pages)
     cases = [case for case, _ in told]
-    across = across or Across()
+    by_case = {outcome.name: outcome for outcome in outcomes}
+    overview, across = _overview(results, by_case, searches, plans, manifest, limits or {})
     data: dict[str, Json] = {
         "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": [*cases],
         "searches": search_tables(searches), "plans": [section_data(section) for section in plans],
-        **_overview(results, {outcome.name: outcome for outcome in outcomes}, searches, plans, manifest, across),
-        **({"check": check_data(check)} if check else {}),
+        **overview, **({"check": check_data(check)} if check else {}),
     }  # fmt: skip
-    drawings = [*(drawing for _, own in told for drawing in own), *across.drawings]
-    return Report(data, cases, drawings + [picture for section in plans for picture in section.pictures])
+    drawings = [drawing for _, own in told for drawing in own]
+    pictures = [picture for section in plans for picture in section.pictures]
+    return Report(data, cases, [*drawings, *across, *pictures])
 
 
 def _overview(
@@ -81,18 +85,25 @@ def _overview(
     searches: Sequence[SearchResult],
     plans: Sequence[Section],
     manifest: Manifest | None,
-    across: Across,
-) -> dict[str, Json]:
-    """What stands about a campaign's cases: before them, between those of a scenario, and after them."""
+    limits: Mapping[str, Limit],
+) -> tuple[dict[str, Json], list[Drawing]]:
+    """What stands about a campaign's cases: before them, between those of a scenario, and after them; with figures."""
     if not results and not searches:
-        return {}
+        return {}, []
     sections = {case: section_data(section) for section in plans for case in section.cases}
-    return {
+    scenarios = scenario_runs(results, outcomes)
+    # Of one case there is nothing to see across cases.
+    stems = [f"scenario-{number}-{slug(one.name)}" for number, one in enumerate(scenarios, start=1)]
+    pairs = zip(scenarios, stems, strict=True)
+    figures = [scenario_figures(one, stem) if len(one.runs) > 1 else [] for one, stem in pairs]
+    versus, beside = versus_section(results, limits)
+    told: dict[str, Json] = {
         "front": front_data(results, outcomes, searches, manifest.called if manifest else ""),
         "matrix": matrix_data(results, outcomes),
-        "scenarios": [*scenarios_data(results, outcomes, sections, across)],
+        "scenarios": [*scenarios_data(scenarios, sections, figures, versus)],
         "appendix": appendix_data(results, outcomes, manifest),
     }
+    return told, [one for own in figures for one in own] + beside
 
 
 def _case(

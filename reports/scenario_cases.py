@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from campaigns.case import Case
-from campaigns.finished import Finished
 from campaigns.summary import CaseResult
 from planners.outside import OutsidePlanner
-from planners.scenario import stem_of
+from reports.dimensions import scales, scenario_words
 from reports.quantity import text
 from reports.trials_words import case_conditions, planned_setting
 from reports.words import KMH
@@ -90,18 +89,19 @@ class ScenarioRuns:
         return "driven" if grounded and all(grounded) else "flown"
 
 
-def scenario_runs(finished: Finished) -> list[ScenarioRuns]:
-    """All cases of a campaign by scenario, each at its scale; cases without one by their path's file."""
-    groups: dict[tuple[str, float | None, str], list[Run]] = {}
-    for result in finished.results:
+def scenario_runs(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) -> list[ScenarioRuns]:
+    """All cases of a campaign by scenario, each at its scale; cases without one by their path's file.
+
+    `outcomes` are those of their worst trials, by the name of the case.
+    """
+    found = scales([result.case for result in results])
+    groups: dict[tuple[str, str], list[Run]] = {}
+    for result in results:
         case = result.case
-        key = (case.scenario or case.path, case.unit, case.planet or "")
-        run = Run(result, finished.outcomes.get(case.name), source_of(case), "")
-        groups.setdefault(key, []).append(run)
-    several = Counter(where for where, _, _ in groups)
-    return [
-        ScenarioRuns(_name(where, unit, several[where] > 1), named(runs)) for (where, unit, _), runs in groups.items()
-    ]
+        name = scenario_words(case, found) or Path(case.path).name
+        run = Run(result, outcomes.get(case.name), source_of(case), "")
+        groups.setdefault((name, case.planet or ""), []).append(run)
+    return [ScenarioRuns(name, named(runs)) for (name, _), runs in groups.items()]
 
 
 def source_of(case: Case) -> str:
@@ -134,11 +134,6 @@ def _parts(run: Run) -> tuple[str, str, str, str]:
     ground = outcome.limits.kind == "ground"
     speed = text(outcome.speed * KMH, "km/h") if ground else text(outcome.speed, "m/s")
     return outcome.vehicle, outcome.controller, speed, ", ".join(case_conditions(run.result, outcome)[1:])
-
-
-def _name(where: str, unit: float | None, several: bool) -> str:
-    name = stem_of(where)
-    return f"{name} at {text(unit, 'm')} a unit" if several and unit is not None else name
 
 
 def within_group(run: Run, group: str) -> str:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
+from typing import Any
 
 from campaigns.summary import CaseResult
-from reports.across import Across
 from reports.deciding import severity
-from reports.dimensions import scales, scenario_words
+from reports.drawing import Drawing
 from reports.fleet_words import called
 from reports.json_result import Json
 from reports.names import listed
 from reports.quantity import counted, pair, text, text_with_g
+from reports.scenario_cases import ScenarioRuns
 from reports.trials_data import kept
 from tracking.metric import Margin
 from tracking.outcome import Outcome
@@ -22,38 +22,42 @@ _MOST_VIOLATIONS = 14
 
 
 def scenarios_data(
-    results: Sequence[CaseResult],
-    outcomes: Mapping[str, Outcome],
+    scenarios: Sequence[ScenarioRuns],
     plans: Mapping[str, dict[str, Json]],
-    across: Across,
+    figures: Sequence[Sequence[Drawing]] = (),
+    versus: Sequence[Mapping[str, Json]] = (),
 ) -> list[dict[str, Json]]:
-    """A scenario each, in the order of the cases, those without a map by their path's file.
+    """What is told of each of `scenarios`, whose `figures` are in the same order.
 
-    `plans` are the tables of the plans by the name of a case that flies one of them.
+    `plans` are the tables of the plans by the name of a case that follows one of them; `versus` are tables of cases
+    side by side, told where their cases are.
     """
-    found = scales([result.case for result in results])
-    groups: dict[str, list[CaseResult]] = {}
-    for result in results:
-        groups.setdefault(scenario_of(result, found), []).append(result)
-    return [
-        {
-            "name": name,
-            "about": _about(group),
-            "cases": [result.case.name for result in group],
-            "figures": [
-                {"file": one.svg, "caption": one.caption} for one in across.figures.get(group[0].case.name, ())
-            ],
-            **_violations(group, outcomes),
-            "plans": next((plans[one.case.name] for one in group if one.case.name in plans), None),
-            "versus": [*across.versus_of([result.case.name for result in group])],
-        }
-        for name, group in groups.items()
-    ]
+    return [_scenario(one, plans, figures[i] if figures else (), versus) for i, one in enumerate(scenarios)]
 
 
-def scenario_of(result: CaseResult, scales_of: Mapping[str, int]) -> str:
-    """What the scenario of a case is called: its map, with the scale where there are several; else its path's file."""
-    return scenario_words(result.case, scales_of) or Path(result.case.path).name
+def _scenario(
+    runs: ScenarioRuns,
+    plans: Mapping[str, dict[str, Json]],
+    figures: Sequence[Drawing],
+    versus: Sequence[Mapping[str, Json]],
+) -> dict[str, Json]:
+    group = [run.result for run in runs.runs]
+    outcomes = {run.result.case.name: run.outcome for run in runs.runs if run.outcome is not None}
+    names = [result.case.name for result in group]
+    return {
+        "name": runs.name,
+        "about": _about(group),
+        "cases": [*names],
+        "figures": [{"file": one.svg, "caption": one.caption} for one in figures],
+        **_violations(group, outcomes),
+        "plans": next((plans[name] for name in names if name in plans), None),
+        "versus": [{**table} for table in versus if _case_of(table) in names],
+    }
+
+
+def _case_of(table: Mapping[str, Any]) -> str:
+    """A case that a table is about."""
+    return str(table["blocks"][0]["rows"][0]["case"])
 
 
 def _about(group: Sequence[CaseResult]) -> str:

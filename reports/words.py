@@ -20,6 +20,7 @@ FAULTS = (STALL, ON_GROUND, NOT_A_NUMBER)
 KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
 BY_SLOPES = ("altitude_", "load_factor_", "stall_")
+_NEAR = 0.25  # of the radius that a turn needs, within which something happens "there"
 # Metrics that a turn too tight cannot explain, by the start of their name.
 _NOT_BY_TURNS = ("speed_", "range_", "separation_", "departure_", "path_", "stall_")
 _THERE, _BEFORE, _AFTER, _SOMEWHERE = "there", "before it", "after it", ""  # a turn, from where something was worst
@@ -156,7 +157,7 @@ def too_tight(outcome: Outcome, margin: Margin) -> tuple[Stretch, str, int] | No
     if not near:
         return min(stretches, key=lambda stretch: stretch.worst.margin), _SOMEWHERE, len(stretches)
     chosen = min(near, key=lambda stretch: (_off(stretch, s), stretch.worst.margin))
-    if _off(chosen, s) <= outcome.corridor:
+    if _off(chosen, s) <= max(outcome.corridor, _NEAR * chosen.worst.required):
         return chosen, _THERE, len(stretches)
     return chosen, _AFTER if chosen.s > s else _BEFORE, len(stretches)
 

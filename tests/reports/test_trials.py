@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from campaigns.attempt import Measured
-from campaigns.case import Case
 from campaigns.conditions import ConditionKeys, WindKeys
 from campaigns.distribution import Distribution
-from campaigns.statistics import statistics
-from campaigns.store import Row
-from campaigns.summary import CaseResult
 from reports.condition_words import condition_words
 from reports.names import listed
 from reports.pdf_rows import counts, summary_rows
@@ -22,39 +17,9 @@ from reports.track_figure import track_figure
 from reports.trials_data import strips
 from reports.trials_figure import trials_figure
 from reports.trials_words import case_verdict_words, worst_name
+from sample_results import result_of
 from small_reports import pdf_of
 from tracking.profile import PIECES
-
-
-def result_of(outcome, trials=8, bad=1, errors=0, number=1, **case):
-    """A case like `outcome`: the last `bad` of its trials miss the corridor, and `errors` more did not run."""
-    rng = np.random.default_rng(3)
-    rows = []
-    for trial in range(1, trials + 1):
-        worthy, failed = trial <= trials - errors - bad, trial > trials - errors
-        size = (0.4 + 0.02 * trial if worthy else 1.5 + 0.1 * trial) * outcome.corridor
-        table = {name: Measured(m.value if m.valid else None, None, None) for name, m in outcome.metrics.items()}
-        table |= {name: Measured(size, None, None) for name in ("cross_track_p95", "cross_track_max")}
-        profile = rng.normal(0.1, 0.2, PIECES) * outcome.corridor
-        rows.append(
-            Row(
-                trial,
-                trial,
-                "it fell over" if failed else "",
-                "machinery" if failed else "",
-                worthy,
-                worthy,
-                1.0 - size / outcome.corridor,
-                "cross_track_max",
-                "completed",
-                table,
-                profile.astype(np.float32).tobytes(),
-            )
-        )
-    better = {name: metric.better for name, metric in outcome.metrics.items()}
-    units = {name: (metric.unit, metric.better) for name, metric in outcome.metrics.items()}
-    stated = Case(vehicle=outcome.vehicle, name=outcome.name, trials=trials, speed=outcome.speed, **case)
-    return CaseResult(number, stated, statistics(rows, better), units)
 
 
 def drawn(result, outcome):
@@ -251,7 +216,7 @@ def test_pdf_of_trials(yard, sharp_yard, tmp_path):
     for name in ("a.pdf", "b.pdf"):
         pdf_of([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
-    assert pages(tmp_path / "a.pdf") == 1 + 2 + 1 + 2
+    assert pages(tmp_path / "a.pdf") == 2 + 2 + 1 + 2 + 1
 
 
 def test_what_is_told_is_json(route):

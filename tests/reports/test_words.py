@@ -1,22 +1,12 @@
 import dataclasses
 import math
 
+from sample_verdicts import error, judged
+
 from reports.words import reason, sentence, setting
-from tracking.feasibility import Feasibility, Slope, Turn
-from tracking.metric import Metric, Requirement
-from tracking.verdict import Verdict, judge
-
-
-def judged(outcome, *pairs, expect="trackworthy", turns=(), steep=(), **changes):
-    """`outcome` with another verdict, on (metric, comparison, limit) triples."""
-    metrics = {metric.name: metric for metric, _, _ in pairs}
-    requirements = [Requirement(metric.name, comparison, limit) for metric, comparison, limit in pairs]
-    changes |= {"metrics": metrics, "feasibility": Feasibility(turns, steep)}
-    return dataclasses.replace(outcome, verdict=judge(metrics, requirements, expect), **changes)
-
-
-def error(value, s=3410.0):
-    return Metric("cross_track_max", value, "m", s=s, t=62.0)
+from tracking.feasibility import Slope, Turn
+from tracking.metric import Metric
+from tracking.verdict import Verdict
 
 
 def test_trackworthy(route):
