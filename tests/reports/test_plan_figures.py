@@ -93,7 +93,8 @@ def test_a_plan_is_told_in_metres_map_units_and_against_the_exact_path(nofly):
     text = words(plan_figure(nofly, {"improved": plan}))
     length = plan.paths[0].length
     for part in (f"{length / UNIT:.2f} map units", "times the exact shortest path", "before smoothing", "east [km]",
-                 "99.6° in all, smallest radius 400 m", "Length by iteration [km]", "Arrived [%]", "iteration"):  # fmt: skip
+                 "99.6° in all, smallest radius 400 m", "Length by iteration [km]", "Arrived [%]",
+                 "iteration"):  # fmt: skip
         assert part in text
 
 
