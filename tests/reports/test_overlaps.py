@@ -1,6 +1,7 @@
 """Every kind of figure: all that is written on it can be read, whatever it shows."""
 
 import dataclasses
+from functools import cache
 
 import numpy as np
 import pytest
@@ -47,10 +48,15 @@ RUNS = {
 }
 
 
+@cache
+def run(kind):
+    return RUNS[kind]()
+
+
 @pytest.mark.parametrize("page", [False, True])
 @pytest.mark.parametrize("kind", RUNS)
 def test_runs(kind, page):
-    outcome = RUNS[kind]()
+    outcome = run(kind)
     with style():
         assert faults(track_figure(outcome, page, "worst of 20: trial 7")) == []
         if outcome.fleet is not None:
@@ -59,7 +65,7 @@ def test_runs(kind, page):
 
 @pytest.mark.parametrize("kind", RUNS)
 def test_trials_and_runs_below_each_other(kind):
-    outcome = RUNS[kind]()
+    outcome = run(kind)
     with style():
         assert faults(trials_figure(result_like(outcome, trials=9, bad=3), outcome)) == []
         if outcome.fleet is None:
