@@ -27,10 +27,15 @@ def text(value: float, unit: str, digits: int = 3) -> str:
         return "n/a"
     if unit == "m" and abs(value) >= KILO and math.isfinite(value):
         return f"{number(value / KILO, digits)} km"
-    factor, shown = _SHOWN.get(unit, (1.0, f" {unit}"))
+    factor, after = shown(unit)
     if unit in ("1", "g"):
         digits += 1  # ratios and load factors differ from 1 by little
-    return number(value * factor, digits) + shown
+    return number(value * factor, digits) + after
+
+
+def shown(unit: str) -> tuple[float, str]:
+    """What a value in the SI `unit` is multiplied by to be shown, and the unit after it, with its space."""
+    return _SHOWN.get(unit, (1.0, f" {unit}"))
 
 
 def shown_in(unit: str) -> tuple[float, str]:

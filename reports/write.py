@@ -9,7 +9,9 @@ from campaigns.campaign import replay_command
 from campaigns.finished import Finished
 from campaigns.lanes import Lanes
 from planners.files.text import write_text
+from reports.across import across_cases
 from reports.drawing import draw_all
+from reports.html.page import write_html
 from reports.junit import campaign_junit
 from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
@@ -20,7 +22,7 @@ from reports.summary_markdown import markdown
 FILES = {
     "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",
 }  # fmt: skip
-_DRAWN = {"pdf", "png", "md"}  # forms that need figures
+_DRAWN = {"pdf", "html", "png", "md"}  # forms that need figures
 
 
 def write_report(
@@ -38,7 +40,7 @@ def write_report(
         draw_all(report.drawings, figures, lanes)
     write: dict[str, Callable[[Path], None]] = {
         "pdf": lambda file: write_pdf(report, figures, file, paper),
-        "html": lambda file: None,
+        "html": lambda file: write_html(finished, report.data, file),
         "png": lambda file: None,
         "junit": lambda file: write_text(file, campaign_junit(finished)),
         "md": lambda file: write_text(file, markdown(finished, report)),
@@ -54,7 +56,8 @@ def campaign_report(finished: Finished, lanes: Lanes) -> Report:
     outcomes = [finished.outcomes[result.case.name] for result in results if result.case.name in finished.outcomes]
     worst = {result.case.name: result.worst.trial for result in results if result.worst}
     commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
-    plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
+    plans = plan_sections(finished.plans, results, campaign.note, lanes)
     return report_of(
-        outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans
-    )
+        outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
+        manifest=finished.manifest, across=across_cases(finished),
+    )  # fmt: skip

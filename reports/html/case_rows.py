@@ -1,0 +1,75 @@
+"""The table of all cases as the page sorts and filters it: numbers beside their words."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from campaigns.finished import Finished
+from campaigns.summary import ERROR, CaseResult
+from planners.outside import OutsidePlanner
+from planners.scenario import stem_of
+from reports.campaign_words import HEADLINE
+from reports.fleet_words import vehicle_words
+from reports.json_result import Json
+from reports.names import spoken
+from reports.quantity import number, text
+from reports.trials_words import planned_setting
+from reports.words import speed_words
+from tracking.metric import Margin
+from tracking.outcome import Outcome
+
+
+def case_rows(finished: Finished) -> list[Json]:
+    """A row a case, in their order; each number with the words that are shown for it, null where there is none."""
+    return [_row(result, finished.outcomes.get(result.case.name)) for result in finished.results]
+
+
+def _row(result: CaseResult, outcome: Outcome | None) -> dict[str, Json]:
+    case, found, worst = result.case, result.statistics, result.worst
+    vehicle, controller, speed = planned_setting(result)
+    p95 = found.metrics.get(HEADLINE)
+    score = worst.score if worst is not None and math.isfinite(worst.score) else None
+    return {
+        "number": result.number,
+        "name": case.name,
+        "path": path_name(result),
+        "scenario": stem_of(case.scenario) if case.scenario else "",
+        "vehicle": vehicle_words(outcome) if outcome else vehicle,
+        "controller": controller,
+        "speed": outcome.speed if outcome else case.speed if isinstance(case.speed, float) else None,
+        "speed_words": speed_words(outcome) if outcome else speed,
+        "verdict": result.verdict,
+        "passed": result.passed,
+        "expect": case.expect,
+        "trials": case.trials,
+        "share": found.share if found.tried else None,
+        "share_words": f"{found.trackworthy} of {found.tried}" if result.verdict != ERROR else "",
+        "decided": spoken(worst.decided_by) if worst is not None and worst.decided_by else "",
+        "margin": score,
+        **_margin(outcome.verdict.decisive if outcome else None, score),
+        "p95": p95.p95 if p95 else None,
+        "p95_words": text(p95.p95, "m") if p95 else "",
+    }
+
+
+def _margin(decisive: Margin | None, score: float | None) -> dict[str, Json]:
+    """In its unit and as a share of its limit; the share alone where the trial is not shown."""
+    share = "" if score is None else f"{_signed(score)}{number(100 * score)} %"
+    if decisive is None or not math.isfinite(decisive.value):
+        return {"margin_words": share, "margin_share": ""}
+    value = f"{_signed(decisive.value)}{text(decisive.value, decisive.metric.unit)}"
+    alike = decisive.metric.unit == "share" or decisive.requirement.limit == 0.0
+    return {"margin_words": value, "margin_share": "" if alike else share}
+
+
+def _signed(value: float) -> str:
+    return "+" if value > 0.0 else ""
+
+
+def path_name(result: CaseResult) -> str:
+    """The planner, or the file of the path."""
+    planner = result.case.planner
+    if planner is None:
+        return Path(result.case.path).name
+    return planner.label if isinstance(planner, OutsidePlanner) else planner

@@ -1,0 +1,189 @@
+"""The page in a real browser: Debian's chromium, driven by its chromedriver."""
+
+import shutil
+import time
+
+import pytest
+
+from reports.html.page import write_html
+
+pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select, WebDriverWait
+
+PATIENCE = 60.0  # [s] for a machine that is busy
+FLAGS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1280,1400")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
+    if chromium is None or driver is None:
+        pytest.skip("no browser to show the page in: apt install chromium chromium-driver")
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for flag in FLAGS:
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    session = webdriver.Chrome(options=options, service=webdriver.ChromeService(driver))
+    yield session
+    session.quit()
+
+
+@pytest.fixture(scope="module")
+def address(finished, data, tmp_path_factory):
+    file = tmp_path_factory.mktemp("page") / "report.html"
+    write_html(finished, data, file)
+    return file.as_uri()
+
+
+@pytest.fixture
+def page(browser, address):
+    """The page, opened anew; whatever a test does, no name has run, and nothing was said on the console."""
+    browser.get("about:blank")
+    browser.get(address)
+    yield browser
+    assert browser.execute_script("return window.hacked") is None
+    assert browser.find_element(By.ID, "trouble").text == ""
+    assert [entry["message"] for entry in browser.get_log("browser")] == []
+
+
+def wait(browser, what):
+    WebDriverWait(browser, PATIENCE, poll_frequency=0.05).until(what)
+
+
+def opened(browser, number):
+    """A case, once its plots are drawn."""
+    browser.execute_script(f"location.hash = '#case-{number}'")
+    wait(browser, lambda b: b.execute_script("return document.getElementById('stage')?.dataset.ready === 'yes'"))
+
+
+def at(browser):
+    """What the replay shows: the clock [s], where the vehicle is [px], and where the cursor stands [s]."""
+    return browser.execute_script(
+        "const v = document.getElementById('vehicles').dataset;"
+        "return [parseFloat(document.getElementById('clock').textContent), parseFloat(v.x), parseFloat(v.y),"
+        " parseFloat(document.querySelector('.cursor').dataset.at)]"
+    )
+
+
+def numbers(browser):
+    return [
+        int(row.get_attribute("data-case")) for row in browser.find_elements(By.CSS_SELECTOR, "#case-rows tbody tr")
+    ]
+
+
+def test_names_are_text(page, finished):
+    title = page.find_element(By.CSS_SELECTOR, "header h1")
+    assert title.text == finished.campaign.title
+    assert page.title.startswith(finished.campaign.title)
+    assert not page.find_elements(By.TAG_NAME, "img")
+    for result in finished.results:
+        opened(page, result.number)
+        assert page.find_element(By.ID, "case-name").text == result.case.name
+        assert not page.find_elements(By.TAG_NAME, "img")
+    drawn = page.execute_script("return document.querySelectorAll('#plots .scatterlayer path.js-line').length")
+    assert drawn > 3
+
+
+def test_it_plays(page):
+    opened(page, 3)
+    Select(page.find_element(By.ID, "speed")).select_by_value("4")
+    before = at(page)
+    page.find_element(By.ID, "play").click()
+    wait(page, lambda b: at(b)[0] > before[0] + 1.0)
+    page.find_element(By.ID, "play").click()
+    after = at(page)
+    assert after[1:3] != before[1:3]
+    assert after[3] == pytest.approx(after[0], abs=0.06)
+    assert "Play" in page.find_element(By.ID, "play").text
+    time.sleep(0.2)
+    assert at(page) == after  # it stands
+
+
+def test_speed_is_that_of_the_clock(page):
+    opened(page, 3)
+    Select(page.find_element(By.ID, "speed")).select_by_value("64")
+    page.find_element(By.ID, "play").click()
+    end = page.execute_script("return shownCase.player.end")
+    wait(page, lambda b: at(b)[0] == pytest.approx(end, abs=0.06))
+    wait(page, lambda b: "Play" in b.find_element(By.ID, "play").text)  # it stops at the end
+
+
+def test_scrub_and_keys(page):
+    opened(page, 1)
+    slider = page.find_element(By.ID, "scrub")
+    page.execute_script("arguments[0].value = 5000; arguments[0].dispatchEvent(new Event('input'))", slider)
+    start, end = page.execute_script("const p = shownCase.player; return [p.start, p.end]")
+    middle = at(page)
+    assert middle[0] == pytest.approx((start + end) / 2, abs=0.06)
+    assert middle[3] == pytest.approx((start + end) / 2, abs=1e-3)
+    page.find_element(By.ID, "case-name").click()
+    ActionChains(page).send_keys(Keys.ARROW_RIGHT).perform()
+    later = at(page)
+    assert later[0] > middle[0]
+    assert later[1:3] != middle[1:3]
+    ActionChains(page).send_keys(Keys.SPACE).perform()
+    wait(page, lambda b: "Pause" in b.find_element(By.ID, "play").text)
+    ActionChains(page).send_keys(Keys.SPACE).perform()
+    wait(page, lambda b: "Play" in b.find_element(By.ID, "play").text)
+
+
+def test_a_click_on_the_error_goes_there(page):
+    opened(page, 1)
+    plots = page.find_element(By.ID, "plots")
+    page.execute_script("arguments[0].scrollIntoView({ block: 'center' })", plots)
+    inside = page.execute_script(
+        "const plots = document.getElementById('plots');"
+        "const f = plots._fullLayout, r = plots.getBoundingClientRect();"
+        "return [r.width, r.height, f.xaxis._offset + 0.7 * f.xaxis._length, f.yaxis._offset + 0.5 * f.yaxis._length]"
+    )
+    width, height, x, y = inside
+    ActionChains(page).move_to_element_with_offset(plots, int(x - width / 2), int(y - height / 2)).pause(
+        0.3
+    ).click().perform()
+    end = page.execute_script("return shownCase.player.end")
+    wait(page, lambda b: at(b)[0] == pytest.approx(0.7 * end, rel=0.05))
+
+
+def test_another_trial_and_over_distance(page, finished):
+    opened(page, 1)
+    runs = Select(page.find_element(By.ID, "run"))
+    assert len(runs.options) == 3
+    seeds = {page.find_element(By.ID, "stage").text.partition("seed ")[2].partition("\n")[0].split()[0]}
+    page.execute_script("delete document.getElementById('stage').dataset.ready")
+    runs.select_by_index(1)
+    wait(page, lambda b: b.execute_script("return document.getElementById('stage').dataset.ready === 'yes'"))
+    seeds.add(page.find_element(By.ID, "stage").text.partition("seed ")[2].partition("\n")[0].split()[0])
+    assert len(seeds) == 2
+    assert seeds <= {str(seed) for seed in finished.results[0].statistics.seeds}
+    Select(page.find_element(By.ID, "over")).select_by_value("distance")
+    length = finished.outcomes[finished.results[0].case.name].path.length
+    page.execute_script("shownCase.player.go(shownCase.player.end)")
+    wait(page, lambda b: at(b)[3] == pytest.approx(length, rel=0.02))
+
+
+def test_rows_are_filtered_and_sorted(page, finished):
+    assert numbers(page) == [1, 2, 3]
+    page.find_element(By.CSS_SELECTOR, 'th[data-key="speed"] button').click()
+    speeds = {result.number: finished.outcomes[result.case.name].speed for result in finished.results}
+    assert numbers(page) == sorted(speeds, key=speeds.__getitem__)
+    page.find_element(By.CSS_SELECTOR, 'th[data-key="speed"] button').click()
+    assert numbers(page) == sorted(speeds, key=speeds.__getitem__, reverse=True)
+    text = page.find_element(By.ID, "filter-text")
+    text.send_keys("ROAD")
+    assert sorted(numbers(page)) == [1, 2]
+    assert page.find_element(By.ID, "case-count").text == "2 of 3 cases"
+    text.clear()
+    text.send_keys("x")
+    text.send_keys(Keys.BACKSPACE)
+    Select(page.find_element(By.ID, "filter-vehicle")).select_by_value("c172x")
+    assert numbers(page) == [3]
+    page.find_element(By.CSS_SELECTOR, "#case-rows tbody tr td:nth-child(4)").click()
+    wait(page, lambda b: b.find_elements(By.ID, "case-name"))
+    assert page.find_element(By.ID, "case-name").text == finished.results[2].case.name
+    page.find_element(By.ID, "back").click()
+    wait(page, lambda b: b.find_element(By.ID, "case-rows").is_displayed())
