@@ -171,11 +171,8 @@ def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
         return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest paths."
     parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
     parts += [f"its {'sharpest turn' if plan.smallest_radius is None else 'tightest curve'} from near"]
-    parts += (
-        ["length of the best way and of the mean one of each iteration, and how many arrive"]
-        if plan.history is not None
-        else []
-    )
+    if plan.history is not None:
+        parts.append("length of the best way and of the mean one of each iteration, and how many arrive")
     speed = planned_speed(one.planner)
     much = "" if speed is None else f" Where it asks too much at {number(KMH * speed)} km/h, it is red."
     return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path.{much}"

@@ -1,6 +1,7 @@
 import dataclasses
 import math
 import pickle
+from functools import cache
 
 import numpy as np
 import pytest
@@ -37,6 +38,7 @@ def long_route():
     return dataclasses.replace(near, path=path, track=track, obstacles=None)
 
 
+@cache
 def made(kind):
     yard = make_yard()
     word = "a-name-of-a-hundred-characters-without-a-space-" * 3
