@@ -9,7 +9,7 @@ from pathlib import Path
 
 from reports.json_result import Json
 
-_WIDTH = 1000  # [px]
+_WIDTH = 800  # [px], about
 _COLOURS = 64
 
 
@@ -50,9 +50,8 @@ def _source(file: Path) -> str:
         return ""
     with Image.open(file) as whole:
         picture = whole.convert("RGB")
-    if picture.width > _WIDTH:
-        picture = picture.resize((_WIDTH, round(picture.height * _WIDTH / picture.width)), Image.Resampling.BOX)
+    picture = picture.reduce(max(1, round(picture.width / _WIDTH)))
     few = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     content = io.BytesIO()
-    few.save(content, "PNG", optimize=True)
+    few.save(content, "PNG")
     return f"data:image/png;base64,{base64.b64encode(content.getvalue()).decode()}"

@@ -200,6 +200,6 @@ function drawSpreads(target, row, one, run) {
     spread.metrics.map((one_, i) => make("option", { value: i }, one_.words)));
   fill(target, [make("div", {}, make("div", { class: "player" }, make("span", { class: "muted small" }, "over all trials")), band),
     make("div", {}, make("div", { class: "player" }, make("label", {}, "metric", metric)), chart)]);
-  bandPlot(band, spread, one.corridor, target.clientWidth < 700);
+  bandPlot(band, spread, one.corridor);
   draw(0);
 }

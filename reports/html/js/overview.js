@@ -10,22 +10,14 @@ function asExpected() {
 function banner() {
   document.title = `${TOLD.title} – trackworthy`;
   const fine = asExpected();
-  const rest = [
-    `${TOLD.worthy} trackworthy, ${TOLD.unworthy} not trackworthy`,
-    TOLD.failed > 0 && `${TOLD.failed} against expectation`,
-    TOLD.errors > 0 && `${TOLD.errors} failed to run`,
-    `${DATA.about.trials} ${DATA.about.trials === 1 ? "trial" : "trials"}`,
-  ].filter(Boolean);
-  const count = TOLD.total > 0 && make("div", { class: `count ${fine ? "good" : "bad"}` },
-    String(TOLD.passed), make("small", {}, ` of ${TOLD.total}`));
-  const what = TOLD.total > 0
-    ? [make("strong", {}, TOLD.total === 1 ? "case came out as expected" : "cases came out as expected"), rest.join(" · ")]
-    : [make("strong", {}, fine ? "Searches as expected" : "A search did not come out as expected")];
+  const { number, words } = TOLD.front ? TOLD.front.headline : { number: `${TOLD.passed} of ${TOLD.total}`, words: "cases came out as expected" };
+  const counts = TOLD.front ? TOLD.front.counts : `${TOLD.worthy} trackworthy, ${TOLD.unworthy} not trackworthy`;
   fill(byId("banner"), [
     make("div", { class: "kicker" }, "TRACKWORTHY · can a real vehicle follow the planned path?"),
     make("h1", {}, TOLD.title),
     TOLD.subtitle && make("p", { class: "muted subtitle" }, TOLD.subtitle),
-    make("div", { class: `answer${fine ? "" : " bad-edge"}` }, count, make("div", { class: "what" }, what)),
+    make("div", { class: `answer${fine ? "" : " bad-edge"}` }, make("div", { class: `count ${fine ? "good" : "bad"}` }, number),
+      make("div", { class: "what" }, make("strong", {}, words), counts)),
   ]);
 }
 

@@ -158,8 +158,9 @@ def test_samples_keep_the_line_and_the_worst(route):
     kept = samples(track, route.corridor, 400)
     assert len(kept) <= 440
     assert {0, len(track) - 1, int(np.argmax(np.abs(track["cross_track"])))} <= set(kept.tolist())
-    x, y = (np.interp(track["t"], track["t"][kept], track[column][kept]) for column in ("x", "y"))
-    assert np.hypot(x - track["x"], y - track["y"]).max() < route.corridor
+    x, y, error = (np.interp(track["t"], track["t"][kept], track[column][kept]) for column in ("x", "y", "cross_track"))
+    assert np.hypot(x - track["x"], y - track["y"]).max() < 0.2 * route.corridor
+    assert np.abs(error - track["cross_track"]).max() < 0.02 * np.ptp(track["cross_track"])
 
 
 def test_a_map_as_rings():
