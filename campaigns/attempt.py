@@ -117,7 +117,11 @@ def replay(job: Job, seed: int, track: Path | None = None) -> Outcome:
     Raises what `run_trial` raises.
     """
     trial, conditions = _unpacked(job)
-    return run_trial(seeded(trial, conditions, seed), read_tracks(track) if track and track.exists() else ())
+    try:
+        known = read_tracks(track) if track and track.exists() else ()
+    except InputError:  # it was damaged, and can be had again
+        known = ()
+    return run_trial(seeded(trial, conditions, seed), known)
 
 
 _JOBS: dict[str, tuple[Trial, ConditionKeys]] = {}

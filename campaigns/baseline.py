@@ -9,11 +9,9 @@ from pathlib import Path
 
 import msgspec
 
-from campaigns.campaign import Campaign, load_campaign
-from campaigns.finished import read_results
+from campaigns.campaign import Campaign
+from campaigns.finished import read_campaign, read_results
 from campaigns.limits import DEFAULT_LIMITS
-from campaigns.manifest import read_manifest
-from campaigns.resolved import RESOLVED
 from campaigns.summary import CaseResult
 from planners.errors import InputError
 from planners.files.text import write_text
@@ -61,10 +59,12 @@ class Record:
 
 def read_record(folder: Path) -> Record:
     """The results in `folder`; raises `InputError` where there are none, or not all."""
-    if not (folder / RESOLVED).exists() or read_manifest(folder / "manifest.json") is None:
-        raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
-    campaign = load_campaign(str(folder / RESOLVED))
-    results = read_results(campaign, folder)
+    _, campaign = read_campaign(folder)
+    return record_of(campaign, read_results(campaign, folder), folder)
+
+
+def record_of(campaign: Campaign, results: list[CaseResult], folder: Path) -> Record:
+    """These results of `campaign`, which lie in `folder`."""
     units = next((result.units for result in results), {})
     shown = {name: degrees(1.0, units[name][0])[1] for name in DEFAULT_LIMITS if name in units}
     cases = {result.case.name: _case(result) for result in results}

@@ -5,16 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import bootstrap, fisher_exact
-from scipy.stats import t as student
+from scipy.stats import fisher_exact
 
 from campaigns.baseline import CaseBaseline
+from campaigns.difference import above_zero, mean_interval
 from campaigns.limits import Limit
 from planners.kernel import Floats
 
 MOST_RESAMPLES = 50_000
 TAIL = 10  # resamples that lie beyond the interval's edge, so that it is one
-BATCH = 1000  # resamples held in memory at once
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,33 +101,10 @@ def _beyond_chance(samples: tuple[Floats, ...], chance: float) -> bool:
     """
     if min(len(sample) for sample in samples) < 2:
         return True  # a single trial leaves nothing to resample
-    if len(samples) == 2 and not _welch(samples, chance):
+    if len(samples) == 2 and above_zero(samples) >= chance:
         return False
     resamples = int(min(MOST_RESAMPLES, 2 * TAIL / chance))
-    difference = _mean if len(samples) == 1 else _difference
-    interval = bootstrap(
-        samples, difference, n_resamples=resamples, batch=BATCH, confidence_level=1.0 - chance, method="percentile",
-        rng=np.random.default_rng(0),
-    ).confidence_interval  # fmt: skip
-    return bool(interval.low > 0.0)
-
-
-def _welch(samples: tuple[Floats, ...], chance: float) -> bool:
-    after, before = samples
-    squares = [sample.var(ddof=1) / len(sample) for sample in samples]
-    total = sum(squares)
-    if total == 0.0:
-        return True  # nothing random in either
-    freedom = total**2 / sum(square**2 / (len(one) - 1) for square, one in zip(squares, samples, strict=True))
-    return bool(student.sf((after.mean() - before.mean()) / np.sqrt(total), freedom) < chance)
-
-
-def _mean(values: Floats, axis: int) -> Floats:
-    return np.asarray(values.mean(axis=axis))
-
-
-def _difference(after: Floats, before: Floats, axis: int) -> Floats:
-    return np.asarray(after.mean(axis=axis) - before.mean(axis=axis))
+    return mean_interval(samples, chance, resamples)[0] > 0.0
 
 
 def _sample(case: CaseBaseline, metric: str, sign: float) -> _Sample:

@@ -46,14 +46,11 @@ class Finished:
 
 
 def read_finished(folder: Path, lanes: Lanes) -> Finished:
-    """What lies in a results `folder`; raises `InputError` where there are no results, or not all.
+    """What lies in a results `folder`. Raises `InputError` where there are no results, or not all.
 
     Outcomes are judged by their tracks. One whose track was not kept is flown again, by the same code only.
     """
-    manifest = read_manifest(folder / "manifest.json")
-    if manifest is None or not (folder / RESOLVED).exists():
-        raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
-    campaign = load_campaign(str(folder / RESOLVED))
+    manifest, campaign = read_campaign(folder)
     cases = [ready.with_paths_of(folder, {}) for ready in make_ready(campaign)]
     results = read_results(campaign, folder)
     names, same = shown(results), manifest.code == fingerprint()
@@ -66,6 +63,14 @@ def read_finished(folder: Path, lanes: Lanes) -> Finished:
     searches = stored_searches(make_searches_ready(campaign), folder)
     plans = planned_by(cases, campaign.claims, folder)
     return Finished(campaign, folder, manifest, results, outcomes, searches, plans)
+
+
+def read_campaign(folder: Path) -> tuple[Manifest, Campaign]:
+    """What made the results in `folder`, and the campaign that they are of; raises `InputError` for no results."""
+    manifest = read_manifest(folder / "manifest.json")
+    if manifest is None or not (folder / RESOLVED).exists():
+        raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
+    return manifest, load_campaign(str(folder / RESOLVED))
 
 
 def read_results(campaign: Campaign, folder: Path) -> list[CaseResult]:

@@ -49,10 +49,11 @@ class CaseStatistics:
     """All of a case: `share` of the trials that are trackworthy with its Clopper-Pearson interval, metrics by name.
 
     `values` (T, M) holds every metric of every trial without error, NaN where one could not be measured, in the order
-    of `names`; `seeds` and `trials` (T,) tell whose they are, and `flown` (T,) which of them had a path: a trial whose
-    planner found none, for a reason as in `no_path_reason`, is tried and not trackworthy, and has nothing to measure
-    but its completion. `bias` and `spread` [m] are those of the whole path, `kinds` those of the errors. `worst` is the
-    trial that missed by most, or came closest to it, of those that were flown.
+    of `names`; `seeds` and `trials` (T,) tell whose they are, `worthy` (T,) which of them are trackworthy, and `flown`
+    (T,) which of them had a path: a trial whose planner found none, for a reason as in `no_path_reason`, is tried and
+    not trackworthy, and has nothing to measure but its completion. `bias` and `spread` [m] are those of the whole path,
+    `kinds` those of the errors. `worst` is the trial that missed by most, or came closest to it, of those that were
+    flown.
     """
 
     tried: int
@@ -64,6 +65,7 @@ class CaseStatistics:
     values: Floats
     seeds: tuple[int, ...]
     trials: tuple[int, ...]
+    worthy: Bools
     flown: Bools
     no_path_reason: str
     metrics: dict[str, Summary]
@@ -89,8 +91,8 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
     """The statistics of a case's rows; `better` tells each metric's direction."""
     names: list[str] = []
     values, profiles = [], []
-    seeds, trials, flown = [], [], []
-    worthy = passed = errors = 0
+    seeds, trials, worthy, flown = [], [], [], []
+    passed = errors = 0
     first_error = no_path_reason = ""
     kinds = set()
     worst: Row | None = None
@@ -106,7 +108,7 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
         seeds.append(row.seed)
         trials.append(row.trial)
         flown.append(row.flown)
-        worthy += row.trackworthy
+        worthy.append(row.trackworthy)
         passed += row.passed
         if not row.flown:
             no_path_reason = no_path_reason or row.ended
@@ -127,13 +129,14 @@ def statistics(rows: Iterable[Row], better: dict[str, str]) -> CaseStatistics:
     return CaseStatistics(
         tried=tried,
         errors=errors,
-        trackworthy=worthy,
+        trackworthy=sum(worthy),
         passed=passed,
-        interval=clopper_pearson(worthy, tried),
+        interval=clopper_pearson(sum(worthy), tried),
         names=tuple(names),
         values=table,
         seeds=tuple(seeds),
         trials=tuple(trials),
+        worthy=np.array(worthy, dtype=bool),
         flown=np.array(flown, dtype=bool),
         no_path_reason=no_path_reason,
         metrics=metrics,

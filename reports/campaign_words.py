@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from campaigns.summary import ERROR, CaseResult
 from reports.quantity import counted, number, text
 from reports.words import reason, sentence
@@ -36,10 +38,18 @@ def _told(result: CaseResult, outcome: Outcome | None) -> str:
 
 
 def share_words(result: CaseResult) -> str:
-    """ "18 of 20 trials trackworthy (68.3 to 98.8 %)": with the 95 % interval of the share."""
+    """ "18 of 20 trials trackworthy (68.3 to 98.8 %)": with the 95 % interval of the share, unless all are the same."""
     found = result.statistics
     low, high = found.interval
+    if all_alike(result):
+        return f"{found.trackworthy} of {found.tried} trials trackworthy, all alike: nothing in them is random"
     return f"{found.trackworthy} of {found.tried} trials trackworthy ({number(100 * low)} to {number(100 * high)} %)"
+
+
+def all_alike(result: CaseResult) -> bool:
+    """Whether several trials differ in nothing, as without chance in plan and conditions: no interval then."""
+    values = result.statistics.values
+    return len(values) > 1 and bool(np.array_equal(values, np.broadcast_to(values[0], values.shape), equal_nan=True))
 
 
 def no_path_words(result: CaseResult) -> list[str]:

@@ -91,7 +91,10 @@ def _bounding(xy: Floats) -> Extent:
 
 def around(outcome: Outcome, marked: Focus, view: Extent) -> Extent:
     """What to show of the surroundings of `marked`: the corridor, and the way back to the path."""
-    error = abs(float(outcome.track["cross_track"][marked.index])) if marked.index is not None else 0.0
+    if marked.index is not None:
+        error = abs(float(outcome.track["cross_track"][marked.index]))
+    else:  # the path was not reached there: how near the vehicle came
+        error = float(np.min(np.hypot(*(flown(outcome) - [marked.x, marked.y]).T), initial=view.larger))
     body = outcome.limits.footprint
     body_size = 2.0 * body.radius if isinstance(body, Disc) else body.length
     wanted = float(np.nanmax([4.0 * outcome.corridor, 1.8 * error, 1.1 * body_size]))

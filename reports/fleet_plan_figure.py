@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
 
 from planners.exact import exact_paths
 from planners.path import Path
@@ -17,6 +17,7 @@ from planners.planner import History, Plan
 from planners.scenario import Scenario
 from reports.extent import Extent
 from reports.fleet_map import FREE_START, FREE_TARGET, draw_ends, end_entries, member_colours
+from reports.frame import draw_frame
 from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import draw_hazards, label_ground, total, whole_map
 from reports.plan_turn import draw_exact, sharpest
@@ -30,17 +31,16 @@ if TYPE_CHECKING:
 _HEAD, _LINE, _KEY, _LABELS, _BOTTOM = 0.42, 0.19, 0.3, 0.44, 0.06  # [in]
 _MAP, _LOWEST, _GAP, _TITLE = 4.3, 2.6, 0.78, 0.3  # [in] width of the map, its height at least
 _AROUND = 0.05  # of the map, on each side of the sharpest turn
+_BROADEST = 105  # characters of a line in the head
 _PATH = 0.2  # [in] of a line about a path
 
 
 def fleet_plan_figure(scenario: Scenario, name: str, plan: Plan, clearance: float) -> Figure:
     """The plan called `name` beside the exact shortest paths that keep `clearance` [m]: within `style.style()`."""
     exact, view = exact_paths(scenario, clearance), whole_map(scenario)
-    lines = [
-        f"{name}: {plan_words(scenario, plan, exact)}",
-        *_limit_words(scenario, plan),
-        *_stage_words(scenario, plan),
-    ]
+    first = textwrap.wrap(f"{name}: {plan_words(scenario, plan, exact)}", _BROADEST)
+    others = [*_limit_words(scenario, plan), *_stage_words(scenario, plan)]
+    lines = [*first, *(line for told in others for line in textwrap.wrap(told, _BROADEST))]
     top = _HEAD + _LINE * len(lines) + 0.14
     world = Box(LEFT, top, _MAP, min(_MAP, max(_LOWEST, _MAP * view.height / view.width)))
     figure = new_figure(world.bottom + _LABELS + _KEY + _BOTTOM)
@@ -48,7 +48,12 @@ def fleet_plan_figure(scenario: Scenario, name: str, plan: Plan, clearance: floa
     figure.text(0.2 / WIDTH, 1.0 - 0.22 / height, scenario.name, fontsize=12.5, fontweight="bold", va="center")
     for i, line in enumerate(lines):
         figure.text(
-            0.2 / WIDTH, 1.0 - (_HEAD + _LINE * i) / height, line, va="top", fontsize=8.5, color=MUTED if i else INK
+            0.2 / WIDTH,
+            1.0 - (_HEAD + _LINE * i) / height,
+            line,
+            va="top",
+            fontsize=8.5,
+            color=INK if i < len(first) else MUTED,
         )
     view = view.filled(world.width / world.height)
     axes = _axes(figure, world)
@@ -155,9 +160,7 @@ def _draw_turn(axes: Axes, world: Axes, scenario: Scenario, plan: Plan, exact: S
     middle, angle = sharpest(plan)
     width, height = axes.get_window_extent().size
     view = Extent(*middle, *middle).grown(_AROUND * max(scenario.size)).filled(width / height)
-    frame = Rectangle((view.x_min, view.y_min), view.width, view.height)
-    frame.set(facecolor="none", edgecolor=MUTED, linewidth=0.8, zorder=6)
-    world.add_patch(frame)
+    draw_frame(world, view)
     draw_hazards(axes, scenario, view, INK)
     draw_exact(axes, exact)
     colours = member_colours(len(scenario.starts))

@@ -10,13 +10,26 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from reports.extent import whole
+from reports.fitted import fit
 from reports.focus import focus
 from reports.layout import LEFT, RIGHT, Box
 from reports.legend import legend_entries
 from reports.map_panel import draw_map
 from reports.panels import error_panel
 from reports.series_panel import draw_panel, mark_unreached
-from reports.style import FAIL_BADGE, MUTED, PASS_BADGE, VERMILION, WIDTH, error_colours, new_figure, place, save, style
+from reports.style import (
+    FAIL_BADGE,
+    MUTED,
+    PASS_BADGE,
+    VERMILION,
+    WIDTH,
+    Look,
+    error_colours,
+    new_figure,
+    place,
+    save,
+    style,
+)
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.words import reason, setting, verdict_words
 from tracking.outcome import Outcome
@@ -52,8 +65,10 @@ def flown_figure(outcomes: Sequence[Outcome]) -> Figure:
 
 def _draw_key(figure: Figure, outcomes: Sequence[Outcome]) -> None:
     """What the marks of the maps mean; what several have, once."""
+    grounded = all(outcome.limits.kind == "ground" for outcome in outcomes)
+    driven = "driven" if grounded else "flown"
     flown = [
-        Line2D([], [], color=error_colours()(0.0), linewidth=2.4, label="flown, paler with the error"),
+        Line2D([], [], color=error_colours()(0.0), linewidth=2.4, label=f"{driven}, paler with the error"),
         Line2D([], [], color=VERMILION, linewidth=2.4, label="beyond the corridor"),
     ]
     marks = [entry for outcome in outcomes for entry in legend_entries(outcome, focus(outcome))]
@@ -68,12 +83,15 @@ def _draw_head(figure: Figure, outcome: Outcome, top: float) -> None:
     """Name, verdict and what decided it."""
     height, good = figure.get_size_inches()[1], outcome.verdict.trackworthy
     line = 1.0 - (top + 0.2) / height
-    name = figure.text(LEFT / WIDTH, line, outcome.name, fontsize=9.5, fontweight="bold", va="center")
-    end = name.get_window_extent().x1 / figure.bbox.width + 0.12 / WIDTH
+    setting_of = figure.text(1.0 - RIGHT / WIDTH, line, setting(outcome), color=MUTED, ha="right", va="center")
     verdict = f"{'✓' if good else '✗'} {verdict_words(outcome)}"
-    colour = PASS_BADGE if good else FAIL_BADGE
-    figure.text(end, line, verdict, fontsize=8.5, fontweight="bold", color=colour, va="center")
-    figure.text(1.0 - RIGHT / WIDTH, line, setting(outcome), color=MUTED, ha="right", va="center")
+    look: Look = {"fontsize": 8.5, "fontweight": "bold", "color": PASS_BADGE if good else FAIL_BADGE, "va": "center"}
+    told = figure.text(0.0, line, verdict, **look)
+    name = figure.text(LEFT / WIDTH, line, outcome.name, fontsize=9.5, fontweight="bold", va="center")
+    room = setting_of.get_window_extent().x0 - told.get_window_extent().width - name.get_window_extent().x0
+    fit(name, room - 0.3 * figure.dpi, 8.0)
+    end = name.get_window_extent().x1 / figure.bbox.width + 0.12 / WIDTH
+    told.set_x(end)
     lines = textwrap.wrap(reason(outcome), _COLUMNS, max_lines=_LINES, placeholder=" …")
     figure.text(LEFT / WIDTH, 1.0 - (top + 0.31) / height, "\n".join(lines), fontsize=7.5, va="top", linespacing=1.3)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from matplotlib.figure import Figure
 
 from reports.style import FAIL_BADGE, MUTED, PAPER, PASS_BADGE, WIDTH
-from reports.words import reason, setting, verdict_words
+from reports.words import planet_words, reason, setting, verdict_words
 from tracking.outcome import Outcome
 
 _LEFT, _RIGHT = 0.2, 0.16  # [in]
@@ -35,7 +35,7 @@ def head_of(outcome: Outcome, trial: str = "", member: str = "") -> Head:
         outcome.name,
         outcome.verdict.trackworthy,
         verdict_words(outcome),
-        " · ".join([*parts, setting(outcome)]),
+        " · ".join([*parts, setting(outcome), *planet_words(outcome)]),
         reason(outcome),
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from matplotlib.lines import Line2D
 
 from reports.focus import Focus
+from reports.quantity import text
 from reports.style import CORRIDOR, DASHES, FENCE, FENCE_DASHES, INK, MARK, MUTED, PAPER, TIGHT, Look
 from tracking.outcome import Outcome
 
@@ -13,10 +14,10 @@ def legend_entries(outcome: Outcome, marked: Focus | None, near_only: bool = Fal
     """One entry for every kind of mark that the map of `outcome` has; `near_only` for the view of the marked point."""
     looks: list[Look] = [
         {"label": "planned", "color": INK, "linewidth": 1.0, "linestyle": DASHES},
-        {"label": "corridor", "color": CORRIDOR, "linewidth": 5.0, "alpha": 0.4},
+        {"label": f"corridor ± {text(outcome.corridor, 'm')}", "color": CORRIDOR, "linewidth": 5.0, "alpha": 0.4},
     ]
     if not near_only:
-        looks += [mark_look("start", (3, 0, -90), 7.0, INK, PAPER), mark_look("goal", "s", 6.0, INK, PAPER)]
+        looks += [mark_look("start", "o", 6.0, INK, PAPER), mark_look("goal", "s", 6.0, INK, PAPER)]
     if marked is not None:
         ring = mark_look(marked.title.lower(), "o", 8.0, "none", MARK[marked.alarm])
         looks.append({**ring, "markeredgewidth": 1.6})

@@ -18,7 +18,7 @@ from reports.extent import Extent
 from reports.focus import Focus
 from reports.obstacle_panel import draw_obstacles
 from reports.shapes import fill, stroke
-from reports.style import CORRIDOR, DASHES, GROUND_COLOUR, INK, MARK, PAPER, TIGHT, Look, error_colours
+from reports.style import CORRIDOR, DASHES, GROUND_COLOUR, INK, MARK, PAPER, ROUND_TICKS, TIGHT, Look, error_colours
 from tracking.feasibility import Stretch
 from tracking.outcome import Outcome
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _THINNEST_CORRIDOR = 3.0  # pixels; a narrower one is hidden under the track anyway
 _MOST_POINTS = 1500  # of a coloured track
 _SHADES = 24  # steps of colour up to the corridor; neighbours in the same step are one line
+_SMALL, _LEAST = 0.4, 0.01  # corridors: errors below the first have colours of their own, down to the second
 _FINE = 0.25  # pixels that a line may be simplified by
 
 
@@ -46,6 +47,18 @@ def draw_map(axes: Axes, outcome: Outcome, view: Extent, marked: Focus | None) -
     stroke(axes, line.intersection(window), {"color": INK, "linewidth": 1.0, "linestyle": DASHES, "zorder": 2.9})
     _flown(axes, outcome, view, pixel)
     _marks(axes, outcome, view, marked)
+
+
+def colour_top(outcome: Outcome) -> float:
+    """The distance from the path [m] at which the colours of a track end: the corridor, beyond which it is vermilion,
+    or a round distance that holds them all where they are far smaller.
+    """
+    error = np.abs(outcome.track["cross_track"])
+    largest = float(np.max(error[np.isfinite(error)], initial=0.0))
+    if largest > _SMALL * outcome.corridor:
+        return outcome.corridor
+    decade = 10.0 ** math.floor(math.log10(max(largest, _LEAST * outcome.corridor)))
+    return min(outcome.corridor, next(step * decade for step in ROUND_TICKS if step * decade >= largest))
 
 
 def _corridor(axes: Axes, outcome: Outcome, line: LineString, window: Polygon, pixel: float) -> None:
@@ -81,7 +94,7 @@ def _flown(axes: Axes, outcome: Outcome, view: Extent, pixel: float) -> None:
         axes.plot(xy[:, 0], xy[:, 1], "o", color=INK, markersize=4, zorder=4)
         return
     kept = polyline(xy, _FINE * pixel, _MOST_POINTS)
-    share = np.fmax.reduceat(error, kept[:-1]) / outcome.corridor
+    share = np.fmax.reduceat(error, kept[:-1]) / colour_top(outcome)
     pieces, shares = _alike(xy[kept], np.ceil(share * _SHADES) / _SHADES)
     axes.plot(xy[kept, 0], xy[kept, 1], color=INK, linewidth=2.9, zorder=3.0)
     look: Look = {"linewidths": 2.0, "capstyle": "round", "norm": Normalize(0.0, 1.0), "cmap": error_colours()}
@@ -97,8 +110,7 @@ def _alike(xy: Floats, shares: Floats) -> tuple[list[Floats], Floats]:
 
 def _marks(axes: Axes, outcome: Outcome, view: Extent, marked: Focus | None) -> None:
     path = outcome.path
-    forward = (3, 0, math.degrees(path.headings[0]) - 90.0)  # a triangle that points along the path
-    _mark(axes, view, path.points[0, :2], {"marker": forward, "markersize": 8.0}, INK, PAPER)
+    _mark(axes, view, path.points[0, :2], {"marker": "o", "markersize": 6.5}, INK, PAPER)
     _mark(axes, view, path.points[-1, :2], {"marker": "s", "markersize": 6.5}, INK, PAPER)
     for stretch in outcome.feasibility.stretches:
         worst = np.array([stretch.worst.x, stretch.worst.y])

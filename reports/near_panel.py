@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from reports.body import draw_body
 from reports.extent import Extent
+from reports.fitted import fit
 from reports.focus import Focus
 from reports.map_panel import draw_map
 from reports.ticks import ticks_from
@@ -14,7 +15,7 @@ from tracking.outcome import Outcome
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_LABEL, _SMALLEST_LABEL = 8.0, 6.0  # [pt]
+_LABEL, _SMALLEST_LABEL = 8.0, 7.0  # [pt]
 _OVERHANG = 0.6  # [in] that a label may be wider than the box, into the gap beside it
 _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
 
@@ -29,6 +30,6 @@ def draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None
         fontsize=_LABEL, va="bottom", annotation_clip=False,
     )  # fmt: skip
     room = min(axes.bbox.width + _OVERHANG * axes.figure.dpi, axes.figure.bbox.width - axes.bbox.x0)
-    label.set_fontsize(max(_SMALLEST_LABEL, _LABEL / max(1.0, label.get_window_extent().width / room)))
+    fit(label, room, _SMALLEST_LABEL)
     ticks_from(axes, marked.x, marked.y)
     axes.set(xlabel="east of it [m]", ylabel="north of it [m]")

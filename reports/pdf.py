@@ -1,4 +1,4 @@
-"""The report as a PDF: one page that answers the question, then a page for every case, two for one of many trials."""
+"""The report as a PDF: one page that answers the question, the matrix of cases, and pages for scenarios and cases."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planners.errors import TrackworthyError
 from reports.report_data import Report
 from reports.style import WIDTH
 
-_TEMPLATE = Path(__file__).with_name("report.typ")
+_TEMPLATES = Path(__file__).with_name("typst")
 # Scripts that the fonts bundled with typst write; others need the machine's fonts.
 _BUNDLED = ((0x0000, 0x024F), (0x0370, 0x052F), (0x1E00, 0x22FF), (0x25A0, 0x27BF))
 
@@ -33,7 +33,8 @@ def _compiled(report: Report, figures: Path, paper: str, folder: Path) -> bytes:
     data = json.dumps({**report.data, "paper": paper}, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
     (folder / "report.json").write_text(data, encoding="utf-8")
-    (folder / "report.typ").write_bytes(_TEMPLATE.read_bytes())
+    for template in _TEMPLATES.glob("*.typ"):
+        (folder / template.name).write_bytes(template.read_bytes())
     for one in report.drawings:
         svg = (figures / one.svg).read_text(encoding="utf-8")
         (folder / one.svg).write_text(_without_head(svg, one.head) if one.head else svg, encoding="utf-8")

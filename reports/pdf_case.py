@@ -16,7 +16,8 @@ from tracking.metric import Metric
 from tracking.outcome import Fleet, Outcome
 from tracking.verdict import NOT_TRACKWORTHY
 
-_MOST_PLACES, _MOST_NOTES = 6, 6  # the worst ones and the first ones; the JSON result has all
+# The worst ones and the first ones, and characters of a note; the JSON result has all
+_MOST_PLACES, _MOST_NOTES, _MOST_FLEET_NOTES, _LONGEST_NOTE = 6, 6, 3, 240
 
 
 def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) -> dict[str, Json]:
@@ -43,7 +44,7 @@ def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) ->
         "tight_count": len(feasibility.stretches),
         "steep": [asdict(row) for row in steep_rows(feasibility, _MOST_PLACES)],
         "steep_count": len(feasibility.steep),
-        "notes": list(notes[:_MOST_NOTES]),
+        "notes": [_cut(note) for note in notes[: _MOST_FLEET_NOTES if outcome.fleet else _MOST_NOTES]],
         "notes_about": about,
         "notes_count": len(notes),
         "unmeasured": list(unmeasured(outcome, listed)),
@@ -96,6 +97,10 @@ def _member(member: Outcome, number: int, departure: float) -> dict[str, Json]:
 
 def _told(metrics: Mapping[str, Metric], name: str) -> str:
     return text(metrics[name].value, metrics[name].unit) if name in metrics else ""
+
+
+def _cut(note: str) -> str:
+    return note if len(note) <= _LONGEST_NOTE else f"{note[: _LONGEST_NOTE - 1]}…"
 
 
 def _common_source(notes: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:

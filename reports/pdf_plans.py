@@ -24,7 +24,10 @@ from tracking.outcome import Outcome
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """The plans on one scenario: a line `about` it, the rows of its table, a note under them, and pictures."""
+    """The plans on one scenario: a line `about` it, the rows of its table, a note under them, and pictures.
+
+    `cases` are the names of those that follow its plans.
+    """
 
     scenario: str
     about: str
@@ -32,6 +35,7 @@ class Section:
     note: str
     pictures: list[Drawing]
     fleet: bool = False
+    cases: tuple[str, ...] = ()
 
 
 def plan_sections(
@@ -59,7 +63,8 @@ def plan_sections(
         told = " ".join(filter(None, [_explained(group), note if i == noted else ""]))
         several = sum(one.name == scenario.name for one in scenarios) > 1
         name = f"{scenario.name} at {text(scenario.unit, 'm')} a unit" if several else scenario.name
-        sections.append(Section(name, _about(scenario, group), rows, told, pictures, is_fleet(scenario)))
+        cases = tuple(case for one in group for case in one.cases)
+        sections.append(Section(name, _about(scenario, group), rows, told, pictures, is_fleet(scenario), cases))
     return sections
 
 

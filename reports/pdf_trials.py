@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from campaigns.summary import CaseResult
-from reports.campaign_words import HEADLINE
+from campaigns.summary import ERROR, CaseResult
+from reports.campaign_words import HEADLINE, all_alike
 from reports.condition_words import condition_words
 from reports.json_result import Json
 from reports.names import listed
@@ -24,6 +24,7 @@ def trials_data(result: CaseResult, outcome: Outcome, figure: str) -> dict[str, 
         "passed": result.passed,
         "setting": case_setting(result, outcome),
         "reason": verdict_reason(result),
+        "interval": result.verdict != ERROR and not all_alike(result),
         "headline": headline_words(result),
         "spread": f"bias {text(found.bias, 'm', 2)}, spread {text(found.spread, 'm', 2)} over the whole path",
         "worst": worst_name(result),

@@ -8,13 +8,13 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Rectangle
 
 from planners.exact import exact_paths
 from planners.path import Path as PlannedPath
 from planners.planner import Plan
 from planners.scenario import Scenario
 from reports.fleet_plan_figure import fleet_plan_figure
+from reports.frame import draw_frame
 from reports.layout import LEFT, RIGHT, Box
 from reports.needed_panel import WITHIN, draw_beyond, draw_worst, needed_entries
 from reports.plan_map import colours_of, draw_ground, ground_entries, label_ground, total, whole_map
@@ -93,9 +93,7 @@ def plan_figure(
             draw_worst(axes, plan, speed)
     for name, box in zip(turns, near, strict=True):
         around = turn_view(scenario, plans[name]).filled(box.width / box.height)
-        frame = Rectangle((around.x_min, around.y_min), around.width, around.height)
-        frame.set(facecolor="none", edgecolor=colours[name], linewidth=0.9, zorder=6)
-        axes.add_patch(frame)
+        draw_frame(axes, around)
         near_axes = place(figure, box.left, box.top, box.width, box.height)
         draw_turn(near_axes, scenario, plans[name], exact, name, colours[name])
         if speed is not None:

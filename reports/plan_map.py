@@ -14,13 +14,13 @@ from planners.scenario import Scenario
 from reports.extent import Extent
 from reports.layout import Box
 from reports.obstacle_panel import draw_obstacles
-from reports.style import BLUE, GREEN, GROUND_COLOUR, INK, MUTED, OBSTACLE, ORANGE, PAPER, PURPLE, VERMILION, Look
+from reports.style import BLUE, GREEN, GROUND_COLOUR, INK, MUTED, OBSTACLE, ORANGE, PAPER, PURPLE, SKY, Look
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE)
+_COLOURS = (BLUE, ORANGE, GREEN, PURPLE, SKY)
 _MARGIN = 0.02  # of the larger side, around the map
 _START: Look = {"marker": "o", "label": "start"}
 _GOAL: Look = {"marker": "s", "label": "goal"}

@@ -189,7 +189,7 @@ def _draw_flown(
     pictures = []
     for page_number, page in enumerate(pages, start=1):
         file = _file(stem, f"flown {page_number}" if len(pages) > 1 else "flown")
-        what = "flown track and cross-track error along it, of the worst trial of its first case."
+        what = "track and cross-track error along it, of the worst trial of its first case."
         claimed = any(one.claims for one in plans.values())
         missing = " No figure of the source stands beside it: nothing was flown there." if claimed else ""
         shown = ([runs[name] for name in page],)
@@ -213,8 +213,12 @@ def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
         parts += ["the best sum by iteration"] if plan.history is not None else []
         return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest paths."
     parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
-    parts += ["its sharpest turn from near"]
-    parts += ["length and arrivals by iteration"] if plan.history is not None else []
+    parts += [f"its {'sharpest turn' if plan.smallest_radius is None else 'tightest curve'} from near"]
+    parts += (
+        ["length of the best way and of the mean one of each iteration, and how many arrive"]
+        if plan.history is not None
+        else []
+    )
     speed = planned_speed(one.planner)
     much = "" if speed is None else f" Where it asks too much at {number(KMH * speed)} km/h, it is red."
     return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path.{much}"

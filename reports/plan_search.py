@@ -54,7 +54,7 @@ def _draw_lengths(
         _plot(axes, history.mean, colours[name], DASHES)
     longest = max((float(np.nanmax(one.mean)) for one in histories.values() if one.converged), default=0.0)
     scale, unit = length_unit(longest)
-    axes.set_title(f"Length as found [{unit}]" if longest else "Length as found")
+    axes.set_title(f"Length by iteration [{unit}]" if longest else "Length by iteration")
     if not longest:
         axes.set_yticks([])
         axes.text(0.5, 0.5, "nothing arrived", transform=axes.transAxes, ha="center", va="center", color=MUTED)
@@ -65,8 +65,8 @@ def _draw_lengths(
     ticks(axes.yaxis, axes.bbox.height / axes.figure.dpi / HIGH, scale)
     axes.legend(
         handles=[Line2D([], [], **look) for look in looks],
-        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.15, handlelength=1.8,
-        columnspacing=1.0, handletextpad=0.5,
+        loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, borderaxespad=0.15, handlelength=1.4,
+        columnspacing=0.7, handletextpad=0.5,
     )  # fmt: skip
 
 

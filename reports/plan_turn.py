@@ -83,11 +83,12 @@ def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Sequence[Path],
     draw_lines(axes, plan, colour, corners=True)
     place, angle = sharpest(plan)
     radius = plan.smallest_radius
-    how = "with corners" if radius is None else f"smallest radius {text(radius, 'm')}"
-    told = f"{number(math.degrees(angle))}°, {how}" if angle else "it is straight"
-    axes.set_title(f"{name}: sharpest turn", pad=_TITLE_PAD)
+    angled = number(math.degrees(angle))
+    told = f"{angled}° at the corner" if radius is None else f"{angled}° in all, smallest radius {text(radius, 'm')}"
+    what = "sharpest turn" if radius is None else "tightest curve"
+    axes.set_title(f"{name}: {what}", pad=_TITLE_PAD)
     axes.annotate(
-        told, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
+        told if angle else "it is straight", (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
         textcoords="offset points", va="bottom",
     )  # fmt: skip
     ticks_from(axes, *place)

@@ -69,7 +69,7 @@ class _Tally:
     def news(self) -> str:
         finished = sum(left == 0 for left in self._open.values())
         parts = [f"{finished}/{self._cases} cases", f"{number(self._rate())} trials/s"]
-        parts += [f"{self._unexpected} not as expected"] if self._unexpected else []
+        parts += [f"{counted(self._unexpected, 'trial')} not as expected"] if self._unexpected else []
         parts += [counted(self._errors, "error")] if self._errors else []
         return ", ".join(parts)
 

@@ -38,6 +38,12 @@ def shown(unit: str) -> tuple[float, str]:
     return _SHOWN.get(unit, (1.0, f" {unit}"))
 
 
+def shown_in(unit: str) -> tuple[float, str]:
+    """What a quantity in the SI `unit` is multiplied by for an axis, and the unit that stands beside it."""
+    factor, shown = _SHOWN.get(unit, (1.0, unit))
+    return factor, shown.strip() or "1"
+
+
 def text_with_g(value: float, unit: str, digits: int = 3) -> str:
     """Like `text`, with accelerations also as multiples of g: "5.88 m/s² (0.6 g)"."""
     plain = text(value, unit, digits)

@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from campaigns.gate import Check
+from campaigns.manifest import Manifest
 from campaigns.searches import SearchResult
 from campaigns.summary import CaseResult
+from reports.appendix import appendix_data
 from reports.case_drawings import fleet_drawing, track_drawing, trial_name, trials_drawing
+from reports.check_data import check_data
 from reports.drawing import Drawing
+from reports.front_page import front_data
 from reports.json_result import Json
+from reports.matrix import matrix_data
 from reports.pdf_case import case_data
 from reports.pdf_plans import Section, section_data
 from reports.pdf_rows import counts, summary_rows
 from reports.pdf_trials import trials_data
+from reports.scenario_data import scenarios_data
 from reports.search_words import search_tables
 from reports.slug import slug
 from tracking.outcome import Outcome
@@ -37,12 +44,15 @@ def report_of(
     results: Sequence[CaseResult] = (),
     searches: Sequence[SearchResult] = (),
     plans: Sequence[Section] = (),
+    manifest: Manifest | None = None,
+    check: Check | None = None,
 ) -> Report:
     """The report on `outcomes` under `title`.
 
     `commands` says how to repeat each of `outcomes`, in their order; it may be shorter. For a campaign, `results` are
     its cases, and an outcome is the worst trial of the case of its name; without them every outcome is a case.
-    `searches` are what its searches found, `plans` what is told of its planners' plans.
+    `searches` are what its searches found, `plans` what is told of its planners' plans, `manifest` what made them, and
+    `check` what became of a baseline.
     """
     by_name = {result.case.name: result for result in results}
     pages = {outcome.name: number for number, outcome in enumerate(outcomes)}
@@ -55,9 +65,30 @@ def report_of(
     data: dict[str, Json] = {
         "title": title, "subtitle": subtitle, **counts(rows), "rows": [*rows], "cases": [*cases],
         "searches": search_tables(searches), "plans": [section_data(section) for section in plans],
+        **_overview(results, {outcome.name: outcome for outcome in outcomes}, searches, plans, manifest),
+        **({"check": check_data(check)} if check else {}),
     }  # fmt: skip
     drawings = [drawing for _, own in told for drawing in own]
     return Report(data, cases, drawings + [picture for section in plans for picture in section.pictures])
+
+
+def _overview(
+    results: Sequence[CaseResult],
+    outcomes: Mapping[str, Outcome],
+    searches: Sequence[SearchResult],
+    plans: Sequence[Section],
+    manifest: Manifest | None,
+) -> dict[str, Json]:
+    """What stands about a campaign's cases: before them, between those of a scenario, and after them."""
+    if not results and not searches:
+        return {}
+    sections = {case: section_data(section) for section in plans for case in section.cases}
+    return {
+        "front": front_data(results, outcomes, searches, manifest.called if manifest else ""),
+        "matrix": matrix_data(results, outcomes),
+        "scenarios": [*scenarios_data(results, outcomes, sections)],
+        "appendix": appendix_data(results, outcomes, manifest),
+    }
 
 
 def _case(

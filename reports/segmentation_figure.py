@@ -123,7 +123,7 @@ def _draw_clearance(figure: Figure, axes: Axes, box: Box, width: float, raster: 
     figure.colorbar(shown, cax=bar, orientation="horizontal")
     bar.grid(visible=False)
     bar.tick_params(length=2.0)
-    bar.set_xlabel("to the nearest obstacle [m]", labelpad=1.5)
+    bar.set_xlabel("to the nearest obstacle, the edge open [m]", labelpad=1.5)
 
 
 def _draw_head(figure: Figure, facts: SegmentationFacts) -> None:

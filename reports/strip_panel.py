@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.ticker import PercentFormatter
 
 from campaigns.summary import CaseResult
+from planners.kernel import Floats
 from reports.names import listed
 from reports.quantity import text
 from reports.style import BLUE, INK, LIMIT, MUTED, VERMILION
@@ -29,6 +30,11 @@ _GOLDEN = 0.6180339887498949  # steps of it spread dots evenly over a row's heig
 def strips_height(count: int) -> float:
     """Height of a panel of `count` metrics [in]."""
     return _ROW * max(1, count)
+
+
+def scattered(count: int, height: float) -> Floats:
+    """Heights for `count` dots in a row, spread evenly over `height` about 0, the same every time."""
+    return np.asarray(height * (_GOLDEN * np.arange(1, count + 1) % 1.0 - 0.5))
 
 
 def draw_strips(axes: Axes, result: CaseResult, shown: list[Strip]) -> None:
@@ -58,7 +64,7 @@ def draw_strips(axes: Axes, result: CaseResult, shown: list[Strip]) -> None:
 
 
 def _draw_row(axes: Axes, row: int, one: Strip, worst: int | None, end: float) -> None:
-    heights = row + 0.6 * (_GOLDEN * np.arange(1, len(one.used) + 1) % 1.0 - 0.5)
+    heights = row + scattered(len(one.used), 0.6)
     x = np.clip(one.used, 0.0, end)
     dense = len(x) > _MANY
     for chosen, colour in ((one.used <= 1.0, BLUE), (one.used > 1.0, VERMILION)):

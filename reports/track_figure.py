@@ -9,20 +9,20 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from reports.extent import Extent, around, whole
 from reports.fleet_words import member_name
 from reports.focus import Focus, focus
+from reports.frame import draw_frame
 from reports.header import draw_header, head_of, header_height
 from reports.layout import Box, Layout, layout, member_layout, page_layout
 from reports.legend import legend_entries
-from reports.map_panel import draw_map
+from reports.map_panel import colour_top, draw_map
 from reports.near_panel import draw_near
 from reports.panels import panels
 from reports.quantity import number
 from reports.series_panel import draw_panel, mark_unreached
-from reports.style import INK, MUTED, WIDTH, error_colours, new_figure, place, save, style
+from reports.style import MUTED, WIDTH, error_colours, new_figure, place, save, style
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.wind_mark import draw_wind
 from tracking.outcome import Outcome
@@ -65,7 +65,7 @@ def track_figure(outcome: Outcome, page: bool = False, trial: str = "") -> Figur
     if marked is not None:
         near = around(outcome, marked, view).filled(plan.near.width / plan.near.height)
         if plan.map is not None:
-            _frame(figure.axes[0], near)
+            draw_frame(figure.axes[0], near)
         draw_near(_axes(figure, plan.near), outcome, marked, near)
     _draw_key(figure, outcome, marked, plan)
     scale, unit = length_unit(outcome.path.length)
@@ -95,13 +95,6 @@ def _draw_map(figure: Figure, outcome: Outcome, marked: Focus | None, view: Exte
     return view
 
 
-def _frame(axes: Axes, near: Extent) -> None:
-    """Frame on the map what is shown from near."""
-    frame = Rectangle((near.x_min, near.y_min), near.width, near.height)
-    frame.set(facecolor="none", edgecolor=INK, linewidth=0.7, zorder=6)
-    axes.add_patch(frame)
-
-
 def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layout) -> None:
     """What the map's colours and marks mean."""
     error = np.abs(outcome.track["cross_track"])
@@ -109,13 +102,11 @@ def _draw_key(figure: Figure, outcome: Outcome, marked: Focus | None, plan: Layo
     box = plan.key
     beside = plan.key_columns > 2
     bar = place(figure, box.left if beside else box.left + 0.1, box.top + 0.06, min(1.75, box.width - 0.2), 0.09)
-    scale = ScalarMappable(Normalize(0.0, outcome.corridor), error_colours())
+    top = colour_top(outcome)
+    scale = ScalarMappable(Normalize(0.0, top), error_colours())
     colours = figure.colorbar(scale, cax=bar, orientation="horizontal", extend="max" if beyond else "neither")
     colours.outline.set_linewidth(0.0)
-    colours.set_ticks(
-        [0.0, outcome.corridor / 2, outcome.corridor],
-        labels=[number(share * outcome.corridor) for share in (0, 0.5, 1)],
-    )
+    colours.set_ticks([0.0, top / 2, top], labels=[number(share * top) for share in (0, 0.5, 1)])
     bar.tick_params(length=0, pad=2)
     bar.set_title("distance from the path [m]", loc="left", fontsize=7.5, color=MUTED, fontweight="normal", pad=3)
     left, top = (box.left + 2.1, box.top - 0.14) if beside else (box.left, box.top + 0.38)

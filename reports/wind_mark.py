@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -37,6 +38,12 @@ def draw_wind(axes: Axes, outcome: Outcome, view: Extent) -> None:
         ha="center", va="bottom", fontsize=7.0, zorder=9,
         bbox={"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.85},
     )  # fmt: skip
+
+
+def same_wind(outcomes: Sequence[Outcome]) -> bool:
+    """Whether one and the same wind blows in all of `outcomes`."""
+    winds = {(one.conditions.wind.east, one.conditions.wind.north) for one in outcomes}
+    return len(winds) == 1 and outcomes[0].conditions.wind.speed > 0.0
 
 
 def _emptiest(outcome: Outcome, view: Extent, width: float, height: float) -> tuple[float, float]:

@@ -7,6 +7,7 @@ import math
 from reports.fleet_words import GROUND, called, departure_words, ended_words, remedy_words, vehicle_words
 from reports.names import spoken
 from reports.quantity import pair, text
+from sim.planet import ALL_PLANETS, EARTH
 from sim.vehicle import GROUND as ON_GROUND
 from sim.vehicle import NOT_A_NUMBER, STALL
 from sim.wind import Wind
@@ -18,9 +19,10 @@ from tracking.verdict import EITHER, NOT_TRACKWORTHY
 FAULTS = (STALL, ON_GROUND, NOT_A_NUMBER)
 KMH = 3.6  # [km/h per m/s]
 # Metrics that a leg too steep explains.
-_BY_SLOPES = ("altitude_", "load_factor_", "stall_")
+BY_SLOPES = ("altitude_", "load_factor_", "stall_")
 # Metrics that a turn too tight cannot explain, by the start of their name.
 _NOT_BY_TURNS = ("speed_", "range_", "separation_", "departure_", "path_", "stall_")
+_THERE, _BEFORE, _AFTER, _SOMEWHERE = "there", "before it", "after it", ""  # a turn, from where something was worst
 
 
 def sentence(outcome: Outcome) -> str:
@@ -48,6 +50,12 @@ def conditions(outcome: Outcome) -> tuple[str, ...]:
     wind, late = outcome.conditions.wind, departure_words(outcome.fleet)
     blown = outcome.limits.kind != GROUND or wind.speed > 0.0
     return (speed_words(outcome), *([wind_words(wind)] if blown else []), *([late] if late else []))
+
+
+def planet_words(outcome: Outcome) -> list[str]:
+    """ "on Mars", known by its gravity, or nothing for the Earth."""
+    found = [planet for planet in ALL_PLANETS if math.isclose(planet.gravity, outcome.limits.gravity, rel_tol=0.01)]
+    return [f"on {planet.name.capitalize()}" for planet in found if planet != EARTH]
 
 
 def speed_words(outcome: Outcome) -> str:
@@ -121,20 +129,36 @@ def place(margin: Margin, kind: str) -> str:
 def cause(outcome: Outcome, margin: Margin) -> str:
     """What in the plan asks too much of the vehicle at the place of `margin`, or "" where nothing does."""
     name, s = margin.metric.name, margin.metric.s
-    if name.startswith(_BY_SLOPES):
-        leg = _slope_at(outcome.feasibility.steep, s)
+    if name.startswith(BY_SLOPES):
+        leg = slope_at(outcome.feasibility.steep, s)
         return _slope_words(leg) if leg else ""
-    stretches = outcome.feasibility.stretches
-    if not stretches or name.startswith(_NOT_BY_TURNS):
+    found = too_tight(outcome, margin)
+    if found is None:
         return ""
-    if near := [stretch for stretch in stretches if _off(stretch, s) <= _reach(outcome, stretch)]:
-        chosen = min(near, key=lambda stretch: (_off(stretch, s), stretch.worst.margin))
-        along = f", {_along(chosen)}," if chosen.s_end > chosen.s else ""
-        return f"the turn there{along} {_needs(chosen)}"
-    chosen = min(stretches, key=lambda stretch: stretch.worst.margin)
-    if len(stretches) == 1:
-        return f"the turn {_along(chosen)} {_needs(chosen)}"
-    return f"{len(stretches)} turns are too tight; the worst, {_along(chosen)}, {_needs(chosen)}"
+    stretch, where, count = found
+    if where == _SOMEWHERE and count > 1:
+        return f"{count} turns are too tight; the worst, {_along(stretch)}, {_needs(stretch)}"
+    if where == _SOMEWHERE:
+        return f"the turn {_along(stretch)} {_needs(stretch)}"
+    along = "" if where == _THERE and stretch.s_end == stretch.s else f", {_along(stretch)},"
+    return f"the turn {where}{along} {_needs(stretch)}"
+
+
+def too_tight(outcome: Outcome, margin: Margin) -> tuple[Stretch, str, int] | None:
+    """The turn too tight that explains `margin`; None where nothing does.
+
+    With it "there", "before it" or "after it", or "" for one far from where it was worst; and how many there are.
+    """
+    stretches, s = outcome.feasibility.stretches, margin.metric.s
+    if not stretches or margin.metric.name.startswith(_NOT_BY_TURNS):
+        return None
+    near = [stretch for stretch in stretches if _off(stretch, s) <= _reach(outcome, stretch)]
+    if not near:
+        return min(stretches, key=lambda stretch: stretch.worst.margin), _SOMEWHERE, len(stretches)
+    chosen = min(near, key=lambda stretch: (_off(stretch, s), stretch.worst.margin))
+    if _off(chosen, s) <= outcome.corridor:
+        return chosen, _THERE, len(stretches)
+    return chosen, _AFTER if chosen.s > s else _BEFORE, len(stretches)
 
 
 def _off(stretch: Stretch, s: float) -> float:
@@ -161,7 +185,7 @@ def _needs(stretch: Stretch) -> str:
     return f"needs a {needed} radius and offers {offered}"
 
 
-def _slope_at(steep: tuple[Slope, ...], s: float) -> Slope | None:
+def slope_at(steep: tuple[Slope, ...], s: float) -> Slope | None:
     """The steep leg at `s`, else the last one before it: height that was not gained is missed until it is."""
     before = [leg for leg in steep if leg.s <= s]
     return max(before, key=lambda leg: leg.s, default=steep[0] if steep else None)

@@ -57,5 +57,6 @@ def campaign_report(finished: Finished, lanes: Lanes) -> Report:
     commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
     plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
     return report_of(
-        outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans
-    )
+        outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
+        manifest=finished.manifest,
+    )  # fmt: skip

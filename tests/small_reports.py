@@ -1,39 +1,30 @@
 """Reports and figures made within the test's own process."""
 
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
-
 from campaigns.lanes import Lanes
 from reports.drawing import draw_all
 from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections, planned
 from reports.plan_pictures import plan_drawings
 from reports.report_data import report_of
+from small_campaigns import Here
 
-
-@contextmanager
-def here():
-    with ThreadPoolExecutor(1) as executor:
-        yield Lanes(executor, 2)
+HERE = Lanes(Here(), 1)
 
 
 def sections_of(plans, results=(), outcomes=None, note=""):
-    with here() as lanes:
-        return plan_sections(plans, results, outcomes or {}, note, lanes)
+    return plan_sections(plans, results, outcomes or {}, note, HERE)
 
 
 def drawn(drawings, figures):
     """The PNG files of these figures, in a folder made for them."""
     figures.mkdir()
-    with here() as lanes:
-        draw_all(drawings, figures, lanes)
+    draw_all(drawings, figures, HERE)
     return [figures / f"{one.stem}.png" for one in drawings]
 
 
 def drawings_of(plans):
     """The pictures of plans by label, made here."""
-    with here() as lanes:
-        return plan_drawings(plans, planned(plans, lanes), [], {}, "plans")
+    return plan_drawings(plans, planned(plans, HERE), [], {}, "plans")
 
 
 def pdf_of(outcomes, file, title, paper="a4", **told):
@@ -41,6 +32,5 @@ def pdf_of(outcomes, file, title, paper="a4", **told):
     report, figures = report_of(outcomes, title, **told), file.with_name(f"{file.stem}-figures")
     if file.parent.is_dir():
         figures.mkdir(exist_ok=True)
-    with here() as lanes:
-        draw_all(report.drawings, figures, lanes)
+    draw_all(report.drawings, figures, HERE)
     write_pdf(report, figures, file, paper)

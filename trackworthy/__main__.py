@@ -14,7 +14,7 @@ from typing import NoReturn
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from planners.errors import InputError, TrackworthyError
-from trackworthy import __version__, check, convert, listing, plan, report, run, segment, track
+from trackworthy import __version__, check, compare, convert, listing, plan, report, run, segment, track
 
 DESCRIPTION = "Flies and drives planned paths in simulation, and says whether a real vehicle can follow them."
 EPILOG = """exit codes:
@@ -36,7 +36,7 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"trackworthy {__version__}")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (run, report, check, track, plan, segment, convert, listing):
+    for command in (run, report, check, compare, track, plan, segment, convert, listing):
         command.add_parser(commands)
     return top
 

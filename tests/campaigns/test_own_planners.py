@@ -75,7 +75,7 @@ def here(monkeypatch):
 @pytest.fixture
 def no_report(monkeypatch):
     """Results without figures and PDF."""
-    monkeypatch.setattr("trackworthy.run._write", lambda *_: None)
+    monkeypatch.setattr("reports.write.write_report", lambda *_: [])
 
 
 @pytest.fixture

@@ -243,7 +243,7 @@ def test_a_search_is_told_in_the_answer_the_summary_and_the_report(tmp_path, cap
     ],
 )
 def test_only_an_expectation_or_a_failure_decides_the_exit_code(tmp_path, keys, code, told, capfd, monkeypatch):
-    monkeypatch.setattr("trackworthy.run._write", lambda *_: None)
+    monkeypatch.setattr("reports.write.write_report", lambda *_: [])
     assert main(["run", str(write_campaign(tmp_path, SEARCH + keys)), "-o", "out"]) == code
     assert capfd.readouterr().out.startswith(told)
 

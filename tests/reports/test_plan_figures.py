@@ -93,7 +93,7 @@ def test_a_plan_is_told_in_metres_map_units_and_against_the_exact_path(nofly):
     text = words(plan_figure(nofly, {"improved": plan}))
     length = plan.paths[0].length
     for part in (f"{length / UNIT:.2f} map units", "times the exact shortest path", "before smoothing", "east [km]",
-                 "99.6°, smallest radius 400 m", "Length as found [km]", "Arrived [%]", "iteration"):  # fmt: skip
+                 "99.6° in all, smallest radius 400 m", "Length by iteration [km]", "Arrived [%]", "iteration"):  # fmt: skip
         assert part in text
 
 
@@ -112,7 +112,7 @@ def test_many_plans_in_one_figure(nofly):
     plan = made_up_plan(iterations=3, ants=3)
     text = words(plan_figure(nofly, {f"plan {i}": plan for i in range(7)}))
     assert "plan 6" in text
-    assert text.count("sharpest turn") == 3
+    assert text.count("tightest curve") == 3
 
 
 def test_a_colony_is_told_by_iteration(nofly):

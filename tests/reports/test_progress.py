@@ -62,8 +62,8 @@ def test_what_went_wrong_is_counted_errors_apart_from_verdicts(clock, capsys):
     tasks = [task(1, trial) for trial in range(20)]
     run(clock, tasks, [BAD, BAD, *[GOOD] * 10, FAILED, *[GOOD] * 7], 20)
     assert lines(capsys) == [
-        "10/20 trials, 10 s left, 0/1 cases, 1 trials/s, 2 not as expected",
-        "20/20 trials, 1/1 cases, 1 trials/s, 2 not as expected, 1 error",
+        "10/20 trials, 10 s left, 0/1 cases, 1 trials/s, 2 trials not as expected",
+        "20/20 trials, 1/1 cases, 1 trials/s, 2 trials not as expected, 1 error",
     ]
 
 
@@ -102,5 +102,5 @@ def test_a_terminal_shows_a_bar_that_leaves_nothing_behind(clock, monkeypatch):
     assert run(clock, tasks, [GOOD, BAD, FAILED], 5) == [GOOD, BAD, FAILED]
     shown = file.getvalue()
     assert "5/5" in shown
-    assert "1 not as expected, 1 error" in shown
+    assert "1 trial not as expected, 1 error" in shown
     assert shown.endswith("\x1b[2K")  # the line is erased

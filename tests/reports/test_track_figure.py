@@ -209,13 +209,14 @@ def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, reques
 def lateral_panel(outcome):
     with style():
         (found,) = (axes for axes in track_figure(outcome).axes if axes._left_title.get_text().startswith("Lateral"))
-    return found, {line.get_label(): line for line in found.lines}
+    return found, {line.get_label(): line for line in (*found.lines, *found.collections)}
 
 
 def test_lateral_acceleration_stands_beside_what_the_path_needs_and_both_limits(sharp_yard):
     """A corner of 81 deg at 8 m/s needs v d / 0.5 s = 2.3 g; the axis ends at 1.25 times three limits of 0.6 g."""
     axes, lines = lateral_panel(sharp_yard)
-    assert lines["needed"].get_ydata().min() == pytest.approx(8.0 * (math.atan2(5, 30) - math.pi / 2) / 0.5 / G)
+    (swung,) = lines["needed"].get_paths()
+    assert swung.vertices[:, 1].min() == pytest.approx(8.0 * (math.atan2(5, 30) - math.pi / 2) / 0.5 / G)
     assert lines["driven"].get_ydata().max() == pytest.approx(sharp_yard.track["lateral_acceleration"].max() / G)
     assert lines["limit"].get_ydata()[0] == pytest.approx(0.6)
     assert lines["grip"].get_ydata()[0] == 0.8
