@@ -9,7 +9,7 @@ function caseLink(named, words) {
 
 function matrix() {
   const told = TOLD.matrix;
-  if (!told || told.rows.length === 0) return;
+  if (told.rows.length === 0) return;
   const same = told.same.length > 0 ? ` The same in all cases: ${told.same.join(", ")}.` : "";
   section("matrix", "All cases at a glance", bands(told).map((rows) => matrixTable(told, rows)), make("p", { class: "muted small" },
     `A cell tells by how much of its limit the requirement that decides is kept (blue, ✓) or missed (vermilion, ✗).${same}`));

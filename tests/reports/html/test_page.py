@@ -206,12 +206,18 @@ def test_pictures_within_their_room(tmp_path):
     from PIL import Image
 
     Image.new("RGB", (1600, 400), "#0072b2").save(tmp_path / "a.1.png")
-    section = {
-        "scenario": "s",
-        "pictures": [{"file": "a.1.svg", "caption": "one"}, {"file": "gone.svg", "caption": "two"}],
+    Image.new("RGB", (1600, 400), "#d55e00").save(tmp_path / "b.png")
+    told = {
+        "plans": [{"pictures": [{"file": "a.1.svg", "caption": "one"}, {"file": "gone.svg"}]}],
+        "figures": ["b.svg"],
     }
-    told, left = embedded([section], tmp_path, 100_000)
-    assert [picture["caption"] for picture in told[0]["pictures"]] == ["one"]
-    assert told[0]["left_out"] == 1
-    assert 0 < left < 100_000
-    assert embedded([section], tmp_path, 10)[0][0]["left_out"] == 2
+    found, left = embedded(told, tmp_path, 100_000)
+    one, gone = found["plans"][0]["pictures"]
+    other = found["figures"][0]
+    assert one["caption"] == "one"
+    assert one["source"].startswith("data:image/png;base64,")
+    assert gone["source"] == ""
+    assert other["source"] not in ("", one["source"])
+    assert left == 100_000 - len(one["source"]) - len(other["source"])
+    assert embedded(told, tmp_path, len(other["source"]))[0]["plans"][0]["pictures"][0]["source"] == one["source"]
+    assert embedded(told, tmp_path, 10)[0]["figures"] == [{**other, "source": ""}]
