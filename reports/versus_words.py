@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from campaigns.conditions import known_wind
-from campaigns.difference import CHANCE, CONFIDENCE, SAME, SMALL, Difference
+from campaigns.difference import CHANCE, CONFIDENCE, SAME, SMALL, UNLIKE, Difference
 from campaigns.settings import key_of, settings, without
 from campaigns.summary import CaseResult
 from campaigns.versus import TRACKWORTHY_SHARE, Group, Member, unit_of
@@ -108,6 +108,13 @@ def change_text(one: Difference) -> str:
 def outcome_words(one: Difference) -> str:
     """ "better", "no difference beyond chance"."""
     return _WORDS.get(one.outcome, one.outcome)
+
+
+def outcome_cell(member: Member, metric: str) -> str:
+    """The median, with the difference where that counts: "0.0454 m, worse: +0.0066 m (0.0062 to 0.007 m)"."""
+    told, one = _cell(member, metric), member.differences.get(metric)
+    counts = one is not None and one.outcome in UNLIKE
+    return f"{told['value']}, {told['outcome']}: {told['change']}" if counts else told["value"]
 
 
 def vehicle_speed(speed: str | float | None, vehicle: str) -> str:

@@ -158,10 +158,19 @@ def test_what_a_page_does_not_hold_is_on_more_pages():
 
 
 def test_a_report_gets_tables_and_the_figures_they_name():
-    tables, drawings = versus_section(results(), {})
-    assert [table["figures"] for table in tables] == [["versus-1-1-controllers-on-road.svg"]]
-    assert [drawing.svg for drawing in drawings] == tables[0]["figures"]
+    told, drawings = versus_section(results(), {})
+    (table,) = told["road.csv"]
+    assert (table["title"], table["file"]) == ("Controllers on road", "versus-1-1-controllers-on-road.svg")
+    assert [drawing.svg for drawing in drawings] == [table["file"]]
+    assert table["head"] == [
+        "controller", "at", "trackworthy", "cross-track error, 95 %", "bank, max", "completion",
+    ]  # fmt: skip
+    first, second, *_ = table["rows"]
+    assert first[:3] == ["lqr (reference)", "8.33 m/s (30 km/h)", "20 of 20 (83 to 100 %)"]
+    assert ", worse: +0.0998 m (" in second[3]
+    assert second[5] == "100 %"
+    assert {len(row) for row in table["rows"]} == {6}
     assert 0.0 < drawings[0].head < 1.0
     (part,) = pickle.loads(pickle.dumps(drawings[0].arguments))  # other processes draw
     assert part.names == ("8.33 m/s (30 km/h)", "12.5 m/s (45 km/h)")
-    assert versus_section(results(controllers=["lqr"]), {}) == ([], [])
+    assert versus_section(results(controllers=["lqr"]), {}) == ({}, [])
