@@ -197,7 +197,10 @@ def test_a_fleet_shares_a_clock(browser, finished, data, apart_fleet, tmp_path):
     browser.get((tmp_path / "report.html").as_uri())
     opened(browser, 1)
     assert len(Select(browser.find_element(By.ID, "vehicle")).options) == 3
-    states = "return shownCase.player.vehicles.map((one) => stateAt(one, arguments[0])).map((state) => [state.x, state.waiting])"
+    states = (
+        "return shownCase.player.vehicles.map((one) => stateAt(one, arguments[0]))"
+        ".map((state) => [state.x, state.waiting])"
+    )
     late = max(apart_fleet.fleet.departures)
     waiting = [departure > late / 2 for departure in apart_fleet.fleet.departures]
     assert any(waiting)
