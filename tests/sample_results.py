@@ -47,6 +47,7 @@ def made_result(
     stated = Case(**{"vehicle": "truck", "path": "road.csv", "name": f"case {number}", "trials": count, **case})
     return CaseResult(number, stated, statistics(rows, {name: way for name, (_, way) in UNITS.items()}), UNITS)
 
+
 def result_of(outcome, trials=8, bad=1, errors=0, number=1, **case):
     """A case like `outcome`: the last `bad` of its trials miss the corridor, and `errors` more did not run."""
     rng = np.random.default_rng(3)

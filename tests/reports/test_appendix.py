@@ -1,10 +1,9 @@
 import dataclasses
 
-from sample_results import result_of
-
 from campaigns.manifest import Manifest
 from reports.appendix import appendix_data
 from reports.metric_definitions import METRIC_DEFINITIONS
+from sample_results import result_of
 
 MANIFEST = Manifest(
     name="n", store_version=1, schema_version=2, campaign="c" * 64, code="d" * 64,

@@ -2,7 +2,6 @@ import dataclasses
 import re
 
 import pytest
-from sample_results import result_of, unplanned
 
 from campaigns.search import SpeedSearch
 from campaigns.search_steps import Found
@@ -10,6 +9,7 @@ from campaigns.searches import SearchResult
 from reports.front_page import case_words, front_data
 from reports.pdf import write_pdf
 from reports.report_data import Report, report_of
+from sample_results import result_of, unplanned
 
 
 def named(outcome, name):

@@ -1,11 +1,10 @@
 import dataclasses
 
-from sample_results import result_of, unplanned
-
 from reports.deciding import deciding
 from reports.dimensions import dimensions
 from reports.matrix import matrix_data
 from reports.shades import shade
+from sample_results import result_of, unplanned
 from tracking.metric import Metric, Requirement
 from tracking.verdict import EITHER, judge
 

@@ -1,9 +1,8 @@
 import dataclasses
 
-from sample_results import result_of, unplanned
-
 from reports.scenario_cases import scenario_runs
 from reports.scenario_data import scenarios_data
+from sample_results import result_of, unplanned
 
 
 def told_of(results, outcomes, plans=None):

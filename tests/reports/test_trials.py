@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 from PIL import Image
-from sample_results import result_of
 
 from campaigns.conditions import ConditionKeys, WindKeys
 from campaigns.distribution import Distribution
@@ -18,6 +17,7 @@ from reports.track_figure import track_figure
 from reports.trials_data import strips
 from reports.trials_figure import trials_figure
 from reports.trials_words import case_verdict_words, worst_name
+from sample_results import result_of
 from small_reports import pdf_of
 from tracking.profile import PIECES
 
