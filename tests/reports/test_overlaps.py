@@ -15,7 +15,6 @@ from reports.colony_figure import colony_figure
 from reports.comparison_figure import comparison_figure
 from reports.fleet_figure import fleet_figure
 from reports.fleet_plan_figure import fleet_plan_figure
-from reports.flown_figure import flown_figure
 from reports.plan_figure import plan_figure
 from reports.roadmap_figure import roadmap_figure
 from reports.routes_figure import Route, routes_figure
@@ -64,12 +63,10 @@ def test_runs(kind, page):
 
 
 @pytest.mark.parametrize("kind", RUNS)
-def test_trials_and_runs_below_each_other(kind):
+def test_trials(kind):
     outcome = run(kind)
     with style():
         assert faults(trials_figure(result_like(outcome, trials=9, bad=3), outcome)) == []
-        if outcome.fleet is None:
-            assert faults(flown_figure([outcome, outcome])) == []
 
 
 @pytest.fixture(scope="module")

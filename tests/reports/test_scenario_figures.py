@@ -149,6 +149,12 @@ def test_cases_that_nothing_tells_apart_are_called_by_name():
     assert [run.setting for run in named([first, second])] == [first.result.case.name, second.result.case.name]
 
 
+def test_a_case_without_a_track_makes_no_difference():
+    runs = runs_of(make_yard(), ("a", "b"), ("lqr", "l1"))
+    missing = dataclasses.replace(runs.runs[0], outcome=None)
+    assert [run.setting for run in named([missing, *runs.runs[1:]])][1:] == ["l1", "lqr", "l1"]
+
+
 def test_the_worst_case_comes_first():
     yard = make_yard()
     runs = runs_of(yard, ("a", "b", "c"), bad=2)
