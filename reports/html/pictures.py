@@ -8,6 +8,8 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import numpy as np
+
 from reports.json_result import Json
 
 _WIDTH = 800  # [px], about
@@ -63,8 +65,8 @@ def _source(file: Path) -> str:
     picture = picture.reduce(max(1, round(picture.width / _WIDTH)))
     few = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     palette = few.getpalette() or []
-    corner = few.getpixel((0, 0))
-    if picture.getpixel((0, 0)) == _PAPER and isinstance(corner, int):  # which the octree mixes with what is pale
+    corner = int(np.asarray(few)[0, 0])
+    if picture.getpixel((0, 0)) == _PAPER:  # which the octree mixes with what is pale
         few.putpalette([*palette[: 3 * corner], *_PAPER, *palette[3 * corner + 3 :]])
     content = io.BytesIO()
     few.save(content, "PNG")
