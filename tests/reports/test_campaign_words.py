@@ -30,7 +30,7 @@ def result_of(rows, **keys):
 
 
 def trials(good, bad):
-    return [row(trial, trial <= good) for trial in range(1, good + bad + 1)]
+    return [row(trial, trial <= good, 0.1 + 0.001 * trial) for trial in range(1, good + bad + 1)]
 
 
 @pytest.mark.parametrize(
@@ -45,6 +45,12 @@ def trials(good, bad):
 )
 def test_a_share_comes_with_its_interval(good, bad, words):
     assert share_words(result_of(trials(good, bad))) == words
+
+
+def test_trials_that_are_all_the_same_have_no_interval():
+    alike = "trackworthy, all alike: nothing in them is random"
+    assert share_words(result_of([row(trial) for trial in range(1, 4)])) == f"3 of 3 trials {alike}"
+    assert alike not in share_words(result_of([row(1), row(2), row(3, good=False)]))
 
 
 @pytest.mark.parametrize(
