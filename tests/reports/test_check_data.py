@@ -15,9 +15,7 @@ def finding(case):
 
 
 def test_worse_changed_and_better_are_told_with_their_units():
-    turned = Finding(
-        VERDICT, "b", "was trackworthy (5 of 5 trials), is not-trackworthy (0 of 5 trials)", None, 2, 9, "run"
-    )
+    turned = Finding(VERDICT, "b", "was trackworthy, is not-trackworthy", None, 2, 9, "run")
     told = check_data(Check("c", (), (finding("a"), turned), (compared("d", -0.02),)))
     assert not told["good"]
     (worse,) = told["worse"]
