@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,7 +16,7 @@ from planners.scenario import Scenario
 from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import draw_ground, ground_entries, label_ground, whole_map
 from reports.quantity import text
-from reports.style import BLUE, INK, VERMILION, WIDTH, Look, new_figure, place, save, style
+from reports.style import BLUE, INK, VERMILION, WIDTH, Look, new_figure, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,19 +29,6 @@ _FAINTEST, _INKED = 0.1, 25.0  # so many ways drawn over each other are opaque; 
 _ALIVE: Look = {"color": BLUE, "linewidth": 0.6, "label": "arrived"}
 _DEAD: Look = {"color": VERMILION, "linewidth": 0.6, "label": "died"}
 _BEST: Look = {"color": INK, "linewidth": 1.3, "label": "best of the iteration"}
-
-
-def save_colony_figure(
-    scenario: Scenario, history: History, file: str | Path, iterations: Sequence[int] | None = None
-) -> None:
-    """Write the picture of the swarms of `history` as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    `iterations` are counted from 1; those beyond the last give way to the last. By default four from the first to the
-    last, closer at the start, where most happens. The same history gives the same bytes. Raises `InputError` where the
-    folder does not exist, `ValueError` where the history has no swarms.
-    """
-    with style():
-        save(colony_figure(scenario, history, iterations), file)
 
 
 def colony_figure(scenario: Scenario, history: History, iterations: Sequence[int] | None = None) -> Figure:

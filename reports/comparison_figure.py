@@ -3,29 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from planners.planner import History
+from reports.fitted import shortened
 from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import colours_of
 from reports.plan_search import draw_search
-from reports.style import WIDTH, new_figure, save, style
+from reports.style import WIDTH, new_figure
 
 _TOP, _LABELS, _BOTTOM = 0.56, 0.44, 0.06  # [in]
+_NAMES = 90  # characters of all names together
 _HEIGHT = 3.4  # [in] of both panels together
-
-
-def save_comparison_figure(histories: Mapping[str, History], file: str | Path, exact: float | None = None) -> None:
-    """Write the picture of `histories`, by name, as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    `exact` [m] is the length of the exact shortest path, for a line. The same histories give the same bytes. Raises
-    `InputError` where the folder does not exist.
-    """
-    with style():
-        save(comparison_figure(histories, exact), file)
 
 
 def comparison_figure(histories: Mapping[str, History], exact: float | None = None) -> Figure:
@@ -33,7 +24,9 @@ def comparison_figure(histories: Mapping[str, History], exact: float | None = No
     colours = colours_of(histories)
     figure = new_figure(_TOP + _HEIGHT + _LABELS + _BOTTOM)
     figure.legend(
-        handles=[Line2D([], [], color=colours[name], linewidth=1.8, label=name) for name in histories],
+        handles=[Line2D([], [], color=colours[name], linewidth=1.8, label=shortened(name, _NAMES // len(histories)))
+            for name in histories
+        ],
         loc="upper left", bbox_to_anchor=(LEFT / WIDTH, 1.0 - 0.1 / figure.get_size_inches()[1]), ncols=len(histories),
         fontsize=8.5, borderaxespad=0.0, borderpad=0.0, handlelength=1.4, columnspacing=1.6,
     )  # fmt: skip

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +14,7 @@ from planners.kernel import Floats
 from reports.layout import LEFT, RIGHT
 from reports.plan_map import colours_of
 from reports.quantity import KILO, counted, number
-from reports.style import INK, MUTED, WIDTH, new_figure, place, save, style
+from reports.style import INK, MUTED, WIDTH, new_figure, place
 from reports.ticks import BROAD, HIGH, ticks
 
 if TYPE_CHECKING:
@@ -25,18 +24,6 @@ _TOP, _HIGH, _BETWEEN, _FOUND, _LABELS, _BOTTOM = 0.56, 1.9, 0.34, 0.6, 0.44, 0.
 LOW, HIGHEST = 10.0, 90.0  # [%] of the seeds between which the band lies
 _STEPS = 400  # along the axis
 _THOUSANDS = 20_000  # evaluations, from which on the axis counts thousands
-
-
-def save_convergence_figure(
-    searches: Mapping[str, Sequence[PlanFacts]], file: str | Path, exact: float | None = None
-) -> None:
-    """Write the picture of `searches`, by name those of all seeds, as PNG (1600 pixels wide) or SVG.
-
-    `exact` [m] is the exact shortest sum, for a line. The same searches give the same bytes. Raises `InputError` where
-    the folder does not exist.
-    """
-    with style():
-        save(convergence_figure(searches, exact), file)
 
 
 def convergence_figure(searches: Mapping[str, Sequence[PlanFacts]], exact: float | None = None) -> Figure:

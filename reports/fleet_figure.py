@@ -21,7 +21,7 @@ from reports.layout import LEFT, Box
 from reports.quantity import text
 from reports.separation_panel import draw_separation
 from reports.series_panel import mark_unreached
-from reports.style import CORRIDOR, WIDTH, new_figure, place, save, style
+from reports.style import CORRIDOR, ROUND_TICKS, WIDTH, new_figure, place, save, style
 from reports.ticks import BROAD, HIGH, length_unit, ticks
 from reports.wind_mark import draw_wind
 from tracking.outcome import Fleet, Outcome
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 _MOST_ERRORS = 4  # aircraft whose errors are shown: those with the largest
 _BINS = 700
 _HEADROOM = 1.25
+_TWO_TICKS = 0.5  # [in] a lower panel has room for two labels
 
 
 def save_fleet_figure(outcome: Outcome, file: str | Path) -> None:
@@ -102,6 +103,10 @@ def _draw_error(axes: Axes, member: Outcome, index: int, colour: str, longest: f
     axes.plot(s[kept], error[kept], color=colour, linewidth=1.5, zorder=3)
     mark_unreached(axes, member)
     ticks(axes.yaxis, min(2.0, box.height / HIGH))
+    if box.height < _TWO_TICKS:
+        decade = 10.0 ** np.floor(np.log10(ceiling))
+        end = max(step * decade for step in ROUND_TICKS if step * decade <= ceiling)
+        axes.set_yticks([-end, end])
     told = f"{called(str(index + 1), member.limits.kind)}: max {text(round(largest, 2), 'm')}"
     axes.set_title(told, loc="right", fontsize=7.5, fontweight="normal", pad=3.5)
 

@@ -10,13 +10,15 @@ from reports.style import INK
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_SMALLEST = 0.03  # of the map's width
+_SMALLEST, _LARGEST = 0.03, 0.6  # of the map's width
 _CORNER = 0.22  # of the smaller side
 
 
 def draw_frame(axes: Axes, near: Extent, colour: str = INK) -> None:
-    """Mark on the map what is shown from near: by its corners, so that it does not look like another edge."""
+    """Mark on the map what is shown from near, unless it is most of it: by its corners, as no edge of a map is."""
     low, high = axes.get_xlim()
+    if near.width > _LARGEST * (high - low):
+        return
     seen = near.grown(max(0.0, _SMALLEST * (high - low) - near.width) / 2)
     x, y = (seen.x_min, seen.x_max), (seen.y_min, seen.y_max)
     reach = _CORNER * min(seen.width, seen.height)

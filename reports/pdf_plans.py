@@ -19,7 +19,6 @@ from reports.plan_pictures import plan_drawings
 from reports.plan_rows import is_fleet, labels, limits, plan_row, yardsticks
 from reports.quantity import number, text
 from reports.slug import slug
-from tracking.outcome import Outcome
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,13 +37,7 @@ class Section:
     cases: tuple[str, ...] = ()
 
 
-def plan_sections(
-    plans: Sequence[PlannedBy],
-    results: Sequence[CaseResult],
-    outcomes: Mapping[str, Outcome],
-    note: str,
-    lanes: Lanes,
-) -> list[Section]:
+def plan_sections(plans: Sequence[PlannedBy], results: Sequence[CaseResult], note: str, lanes: Lanes) -> list[Section]:
     """A section a scenario; of one at several scales, with the pictures of one scale, whose plans are made again in
     `lanes`.
 
@@ -59,7 +52,7 @@ def plan_sections(
         named = dict(zip(labels(group), group, strict=True))
         rows: list[Json] = [plan_row(one, name, results) for name, one in named.items()]
         stem = f"plans-{i + 1}-{slug(scenario.name)}"
-        pictures = plan_drawings(named, planned(named, lanes), results, outcomes, stem) if i in drawn else []
+        pictures = plan_drawings(named, planned(named, lanes), stem) if i in drawn else []
         told = " ".join(filter(None, [_explained(group), note if i == noted else ""]))
         several = sum(one.name == scenario.name for one in scenarios) > 1
         name = f"{scenario.name} at {text(scenario.unit, 'm')} a unit" if several else scenario.name

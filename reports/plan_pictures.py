@@ -1,12 +1,10 @@
-"""The pictures of a campaign's plans: the first of each planner, planned again, and what was flown."""
+"""The pictures of a campaign's plans: the first of each planner, planned again."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 
 from campaigns.plan_statistics import PlannedBy
-from campaigns.summary import CaseResult
 from planners.astar.arc_printed import AstarArcPaper
 from planners.astar.settings import planned_speed
 from planners.facts import PlanFacts
@@ -15,7 +13,6 @@ from reports.colony_figure import colony_figure, shown_iterations
 from reports.comparison_figure import comparison_figure
 from reports.convergence_figure import HIGHEST, LOW, convergence_figure
 from reports.drawing import Drawing
-from reports.flown_figure import flown_figure
 from reports.plan_figure import plans_figure
 from reports.plan_rows import is_fleet
 from reports.plan_turn import came
@@ -25,26 +22,16 @@ from reports.routes_figure import COLUMNS as SPEEDS
 from reports.routes_figure import ROWS, Route, routes_figure
 from reports.sector_figure import COLUMNS, sector_figure
 from reports.slug import slug
-from reports.trials_words import worst_name
 from reports.words import KMH
-from tracking.outcome import Outcome
 
 _EARLY = (1, 3, 5, 10)  # iterations shown of a search of no more
-_MOST_FLOWN = 3  # runs in one picture: a page holds no more
 
 
-def plan_drawings(
-    plans: Mapping[str, PlannedBy],
-    planned: Mapping[str, Plan],
-    results: Sequence[CaseResult],
-    outcomes: Mapping[str, Outcome],
-    stem: str,
-) -> list[Drawing]:
+def plan_drawings(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], stem: str) -> list[Drawing]:
     """The pictures of `plans` of one scenario, by label; their names begin with `stem`. `planned` are the plans.
 
     The roadmap, the sectors of A* by arcs, the searches in the same axes, the routes where planners plan for speeds,
-    each other planner's plan, each one's ants, and then the runs: of the first case of each planner that of `outcomes`,
-    by the name of the case; fleets have a page for each case instead. The same plans give the same bytes.
+    each other planner's plan, and each one's ants. The same plans give the same bytes.
     """
     searches = {name: plan.history for name, plan in planned.items() if plan.history is not None}
     colonies = {name: history for name, history in searches.items() if history.evaluations is None}
@@ -58,7 +45,6 @@ def plan_drawings(
         *_draw_routes(plans, {name: planned[name] for name in routes}, stem),
         *(_draw_plan(name, plans[name], plan, stem) for name, plan in planned.items() if name not in routes),
         *(_draw_ants(name, plans[name], history, stem) for name, history in searches.items() if history.swarms),
-        *_draw_flown(plans, results, outcomes, stem),
     ]
 
 
@@ -174,35 +160,6 @@ def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], s
     return [Drawing(_file(stem, "sectors"), sector_figure, shown, f"{_listed(names)}: {what}{beside}")]
 
 
-def _draw_flown(
-    plans: Mapping[str, PlannedBy], results: Sequence[CaseResult], outcomes: Mapping[str, Outcome], stem: str
-) -> list[Drawing]:
-    cases = {result.case.name: result for result in results}
-    runs = {
-        name: _named(outcomes[one.case], name, cases[one.case])
-        for name, one in plans.items()
-        if one.case in outcomes and outcomes[one.case].fleet is None
-    }
-    names = list(runs)
-    each = -(-len(names) // -(-len(names) // _MOST_FLOWN)) if names else 1
-    pages = [names[start : start + each] for start in range(0, len(names), each)]
-    pictures = []
-    for page_number, page in enumerate(pages, start=1):
-        file = _file(stem, f"flown {page_number}" if len(pages) > 1 else "flown")
-        what = "track and cross-track error along it, of the worst trial of its first case."
-        claimed = any(one.claims for one in plans.values())
-        missing = " No figure of the source stands beside it: nothing was flown there." if claimed else ""
-        shown = ([runs[name] for name in page],)
-        pictures.append(Drawing(file, flown_figure, shown, f"{_listed(page)}: {what}{missing}"))
-    return pictures
-
-
-def _named(outcome: Outcome, name: str, result: CaseResult) -> Outcome:
-    """Called after its planner, and which trial it is of several."""
-    which = f", {worst_name(result)}" if result.case.trials > 1 else ""
-    return replace(outcome, name=f"{name}{which}")
-
-
 def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     if not plan.paths:
         stuck = ", dashed as far as it came" if came(plan) else ""
@@ -214,11 +171,8 @@ def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
         return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest paths."
     parts = ["the path", *(["before smoothing dashed"] if plan.smallest_radius is not None and plan.polylines else [])]
     parts += [f"its {'sharpest turn' if plan.smallest_radius is None else 'tightest curve'} from near"]
-    parts += (
-        ["length of the best way and of the mean one of each iteration, and how many arrive"]
-        if plan.history is not None
-        else []
-    )
+    if plan.history is not None:
+        parts.append("length of the best way and of the mean one of each iteration, and how many arrive")
     speed = planned_speed(one.planner)
     much = "" if speed is None else f" Where it asks too much at {number(KMH * speed)} km/h, it is red."
     return f"{name}, seed {one.seed}: {', '.join(parts)}; thin, the exact shortest path.{much}"

@@ -15,6 +15,7 @@ from planners.path import Path
 from planners.planner import Plan
 from planners.scenario import Scenario
 from reports.extent import Extent
+from reports.fitted import fit, shortened
 from reports.plan_map import draw_ground
 from reports.quantity import number, text
 from reports.style import DASHES, INK, PAPER, VERMILION, Look
@@ -34,6 +35,7 @@ _ENDED: Look = {
     "markeredgewidth": 0.8, "zorder": 7.5,
 }  # fmt: skip
 _LABEL_PAD, _TITLE_PAD = 4.5, 16.0  # [pt] above the box
+_NAMED, _ASIDE, _SMALLEST = 60, 0.1, 7.0  # characters of a name, [in] a title may be wider than its box, its type [pt]
 
 
 def sharpest(plan: Plan) -> tuple[Floats, float]:
@@ -86,7 +88,8 @@ def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Sequence[Path],
     angled = number(math.degrees(angle))
     told = f"{angled}° at the corner" if radius is None else f"{angled}° in all, smallest radius {text(radius, 'm')}"
     what = "sharpest turn" if radius is None else "tightest curve"
-    axes.set_title(f"{name}: {what}", pad=_TITLE_PAD)
+    title = axes.set_title(f"{shortened(name, _NAMED)}: {what}", pad=_TITLE_PAD)
+    fit(title, width + _ASIDE * axes.figure.dpi, _SMALLEST)
     axes.annotate(
         told if angle else "it is straight", (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),
         textcoords="offset points", va="bottom",

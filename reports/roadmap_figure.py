@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from matplotlib.collections import LineCollection
@@ -18,7 +17,7 @@ from reports.fleet_plan_figure import pair_of
 from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import draw_hazards, label_ground, whole_map
 from reports.quantity import number
-from reports.style import DASHES, INK, MUTED, PURPLE, VERMILION, WIDTH, Look, new_figure, place, save, style
+from reports.style import DASHES, INK, MUTED, PURPLE, VERMILION, WIDTH, Look, new_figure, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,15 +32,6 @@ _ALONG, _AFTER = (0, (1, 1.2)), DASHES
 def has_roadmap(plan: Plan) -> bool:
     """Whether `plan` was found along a Voronoi roadmap."""
     return bool(plan.stages) and plan.stages[0].name == ROADMAP
-
-
-def save_roadmap_figure(scenario: Scenario, plan: Plan, clearance: float, file: str | Path) -> None:
-    """Write the picture of the roadmap that keeps `clearance` [m], and of `plan`, as PNG (1600 pixels wide) or SVG.
-
-    The same plan gives the same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(roadmap_figure(scenario, plan, clearance), file)
 
 
 def roadmap_figure(scenario: Scenario, plan: Plan, clearance: float) -> Figure:

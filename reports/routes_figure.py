@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import dist
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
@@ -18,7 +17,7 @@ from reports.needed_panel import WITHIN, draw_beyond, entries_up_to, ring_worst,
 from reports.plan_map import draw_ground, ground_entries, label_ground, whole_map
 from reports.plan_turn import came, came_entries, draw_came, draw_lines
 from reports.quantity import number, text
-from reports.style import DASHES, WIDTH, new_figure, place, save, style
+from reports.style import DASHES, WIDTH, new_figure, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,15 +34,6 @@ class Route:
     name: str
     plan: Plan
     speed: float
-
-
-def save_routes_figure(scenario: Scenario, rows: Sequence[Sequence[Route]], file: str | Path) -> None:
-    """Write the picture of `rows` of routes as PNG (1600 pixels wide) or SVG, by the suffix of `file`.
-
-    The same routes give the same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(routes_figure(scenario, rows), file)
 
 
 def routes_figure(scenario: Scenario, rows: Sequence[Sequence[Route]]) -> Figure:

@@ -117,7 +117,9 @@ def named(runs: Iterable[Run]) -> tuple[Run, ...]:
     """
     runs = list(runs)
     parts = [_parts(run) for run in runs]
-    differ = [i for i in range(len(parts[0])) if len({part[i] for part in parts}) > 1]
+    # Of what was not flown less is known, and that is no difference
+    known = [part for run, part in zip(runs, parts, strict=True) if run.outcome is not None]
+    differ = [i for i in range(len(parts[0])) if len({part[i] for part in known}) > 1]
     told = [" · ".join(filter(None, (part[i] for i in differ or (1, 2)))) for part in parts]
     count = Counter((run.source, words) for run, words in zip(runs, told, strict=True))
     return tuple(

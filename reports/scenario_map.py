@@ -98,10 +98,12 @@ def draw_planned(axes: Axes, paths: Iterable[Path], view: Extent, look: Look, wi
 def draw_driven(axes: Axes, outcome: Outcome, view: Extent, colour: str, width: float = _DRIVEN) -> None:
     """Draw the tracks of `outcome` in `colour`, and in vermilion where they are beyond the corridor."""
     for line, beyond in _tracks(outcome, view, view.width / axes.bbox.width):
-        segments = np.stack([line[:-1], line[1:]], axis=1)
-        colours = np.where(beyond[:-1] | beyond[1:], VERMILION, colour)
+        out = beyond[:-1] | beyond[1:]
+        starts = np.concatenate([[0], np.flatnonzero(np.diff(out)) + 1])
+        pieces = [line[i : j + 1] for i, j in zip(starts, [*starts[1:], len(out)], strict=True)]
         look: Look = {"linewidths": width, "capstyle": "round", "zorder": 3.6}
-        axes.add_collection(LineCollection(list(segments), colors=list(colours), **look), autolim=False)
+        colours = [VERMILION if out[start] else colour for start in starts]
+        axes.add_collection(LineCollection(pieces, colors=colours, **look), autolim=False)
 
 
 def draw_told_apart(axes: Axes, outcome: Outcome, view: Extent, look: Look) -> None:

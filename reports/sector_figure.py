@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,7 +21,7 @@ from reports.extent import Extent
 from reports.layout import LEFT, RIGHT, Box
 from reports.plan_map import draw_ground, ground_entries
 from reports.quantity import number, text
-from reports.style import BLUE, INK, ORANGE, PAPER, SKY, VERMILION, WIDTH, Look, new_figure, place, save, style
+from reports.style import BLUE, INK, ORANGE, PAPER, SKY, VERMILION, WIDTH, Look, new_figure, place
 from reports.ticks import ticks_from
 from reports.words import KMH
 from sim.truck_limits import STEERING_LIMIT, WHEELBASE
@@ -40,15 +39,6 @@ _CHILD: Look = {"marker": "o", "markersize": 3.0, "linestyle": "none", "color": 
 _HIDDEN: Look = {**_CHILD, "markerfacecolor": PAPER, "color": VERMILION, "label": "hidden"}
 _WAY: Look = {"color": INK, "linewidth": 1.3, "marker": "o", "markersize": 3.6, "label": "path"}
 _ARC: Look = {"color": ORANGE, "linewidth": 1.6, "label": f"sharpest arcs at {LATERAL:g} g"}
-
-
-def save_sector_figure(scenario: Scenario, planners: Mapping[str, AstarArcPaper], file: str | Path) -> None:
-    """Write the picture of the first three of `planners`, by name, as PNG (1600 pixels wide) or SVG.
-
-    The same planners give the same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(sector_figure(scenario, planners), file)
 
 
 def sector_figure(scenario: Scenario, planners: Mapping[str, AstarArcPaper]) -> Figure:

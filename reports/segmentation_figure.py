@@ -65,7 +65,7 @@ def segmentation_figure(aerial: Aerial, blocked: Bools, facts: SegmentationFacts
     _show(panels[0], aerial.colours[::step, ::step], facts.cell * step)
     _draw_map(panels[1], blocked, truth, step, facts.cell)
     _draw_clearance(figure, panels[2], boxes[2], boxes[2].width / (2 if stacked else 1), raster)
-    _draw_key(figure, boxes[0] if stacked else boxes[1], boxes[-1].bottom, truth is not None)
+    _draw_key(figure, boxes[0], boxes[-1].bottom, truth is not None)
     return figure
 
 

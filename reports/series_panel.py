@@ -6,20 +6,19 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.colors import to_rgb
 
 from planners.kernel import Floats
 from reports.decimate import envelope
 from reports.focus import Focus
+from reports.needed_line import draw_needed
 from reports.panels import Panel
-from reports.style import BLUE, CORRIDOR, INK, LIMIT, MARK, MUTED, ORANGE, PAPER, TIGHT, Look
+from reports.style import BLUE, CORRIDOR, LIMIT, MARK, MUTED, ORANGE, PAPER, TIGHT
 from tracking.outcome import Outcome
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _BINS = 1100  # about the pixels of a panel
-_SWINGS = 300  # steps of the area that a path needs
 _THINNEST_BAR = 0.006  # of the path's length
 _BAR, _HEADROOM = 0.93, 1.25  # where the bar begins, of the panel's height, and how far the axis goes beyond the values
 _MOST_NEEDED = 3.0  # times the limit, up to which the axis goes for what a path needs: a corner may need any
@@ -38,7 +37,7 @@ def draw_panel(axes: Axes, outcome: Outcome, panel: Panel, marked: Focus | None,
     if panel.grip is not None:
         _grip(axes, panel.grip)
     if panel.needed is not None:
-        _needed(axes, *panel.needed)
+        draw_needed(axes, *panel.needed)
     if panel.command is not None:
         _line(axes, s, panel.command, ORANGE, 1.0, "commanded")
     _line(axes, s, panel.values, BLUE, 1.4, "driven" if outcome.limits.kind == "ground" else "flown")
@@ -87,19 +86,6 @@ def _grip(axes: Axes, grip: float) -> None:
 def _line(axes: Axes, s: Floats, y: Floats, colour: str, width: float, label: str) -> None:
     kept = envelope(s, y, _BINS)
     axes.plot(s[kept], y[kept], color=colour, linewidth=width, label=label, zorder=3)
-
-
-def _needed(axes: Axes, s: Floats, needed: Floats) -> None:
-    """Where a staircase swings faster than a line can show, the pale area that it swings over."""
-    fine = np.union1d(s, np.linspace(s[0], s[-1], 8 * _SWINGS))
-    s, needed = fine, np.interp(fine, s, needed)
-    starts = np.unique(np.searchsorted(s, np.linspace(s[0], s[-1], _SWINGS, endpoint=False)))
-    places = np.append(s[starts], s[-1])
-    low, high = (np.append(found.reduceat(needed, starts), needed[-1]) for found in (np.minimum, np.maximum))
-    ends = needed[starts]  # so that neighbours meet, and a smooth line stays one
-    low[:-2], high[:-2] = np.minimum(low[:-2], ends[1:]), np.maximum(high[:-2], ends[1:])
-    look: Look = {"facecolor": (*to_rgb(INK), 0.2), "edgecolor": (*to_rgb(INK), 0.55), "linewidth": 0.7}
-    axes.fill_between(places, low, high, step="post", label="needed", zorder=2.6, **look)
 
 
 def _tight(axes: Axes, outcome: Outcome) -> None:

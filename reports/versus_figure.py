@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
@@ -15,7 +14,7 @@ from campaigns.difference import BETTER, WORSE
 from campaigns.versus import Group
 from reports.names import listed
 from reports.quantity import number
-from reports.style import BLUE, INK, LIMIT, MUTED, PASS_BADGE, VERMILION, WIDTH, Look, new_figure, place, save, style
+from reports.style import BLUE, INK, LIMIT, MUTED, PASS_BADGE, VERMILION, WIDTH, Look, new_figure, place
 from reports.ticks import BROAD, ticks
 from reports.versus_layout import Column, columns
 from reports.versus_words import Family, share_text
@@ -43,15 +42,6 @@ _KEYS = {
     WORSE: "worse",
     _ALIKE: "no difference that counts, or no direction",
 }
-
-
-def save_versus_figure(family: Family, file: str | Path) -> None:
-    """Write the picture of a family, one that `versus_layout.pages` gives, as PNG or SVG, by the suffix of `file`.
-
-    The same family gives the same bytes. Raises `InputError` where the folder does not exist.
-    """
-    with style():
-        save(versus_figure(family), file)
 
 
 def head_of(family: Family) -> float:

@@ -5,38 +5,45 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from pathlib import Path
 
+from campaigns.baseline import Baseline, record_of
 from campaigns.campaign import replay_command
 from campaigns.finished import Finished
+from campaigns.gate import Check, check
 from campaigns.lanes import Lanes
 from planners.files.text import write_text
-from reports.drawing import draw_all
+from reports.drawing import Drawing, draw_all
 from reports.html.page import write_html
 from reports.junit import campaign_junit
 from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
 from reports.report_data import Report, report_of
-from reports.summary_markdown import markdown
+from reports.summary_markdown import markdown, plots
 
 # What each form is written to, within the results folder
 FILES = {
     "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",
 }  # fmt: skip
-_DRAWN = {"pdf", "html", "png", "md"}  # forms that need figures
 
 
 def write_report(
-    finished: Finished, lanes: Lanes, forms: Collection[str] = tuple(FILES), paper: str = "a4"
+    finished: Finished,
+    lanes: Lanes,
+    forms: Collection[str] = tuple(FILES),
+    paper: str = "a4",
+    baseline: Baseline | None = None,
 ) -> list[Path]:
     """Write the `forms`, keys of `FILES`, into the campaign's folder; returns what was written.
 
-    Figures are drawn in `lanes`. The same results give the same bytes. Raises `InputError` or `TrackworthyError` for a
-    file that cannot be written.
+    Figures are drawn in `lanes`. The results are held against a `baseline`, where there is one. The same results give
+    the same bytes. Raises `InputError` or `TrackworthyError` for a file that cannot be written.
     """
     folder, figures = finished.folder, finished.folder / "figures"
-    report = campaign_report(finished, lanes)
-    if _DRAWN & set(forms):
+    held = check(record_of(finished.campaign, finished.results, folder), baseline) if baseline else None
+    report = campaign_report(finished, lanes, held)
+    drawings = _needed(report, finished, forms)
+    if drawings:
         figures.mkdir(exist_ok=True)
-        draw_all(report.drawings, figures, lanes)
+        draw_all(drawings, figures, lanes)
     write: dict[str, Callable[[Path], None]] = {
         "pdf": lambda file: write_pdf(report, figures, file, paper),
         "html": lambda file: write_html(finished, report.data, file),
@@ -49,14 +56,22 @@ def write_report(
     return [folder / FILES[form] for form in forms]
 
 
-def campaign_report(finished: Finished, lanes: Lanes) -> Report:
-    """What there is to tell of a campaign; plans to be drawn are made again in `lanes`."""
+def campaign_report(finished: Finished, lanes: Lanes, held: Check | None = None) -> Report:
+    """What there is to tell of a campaign, `held` against a baseline; plans to be drawn are made again in `lanes`."""
     campaign, results = finished.campaign, finished.results
     outcomes = [finished.outcomes[result.case.name] for result in results if result.case.name in finished.outcomes]
     worst = {result.case.name: result.worst.trial for result in results if result.worst}
     commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
-    plans = plan_sections(finished.plans, results, finished.outcomes, campaign.note, lanes)
+    plans = plan_sections(finished.plans, results, campaign.note, lanes)
     return report_of(
         outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
-        manifest=finished.manifest, limits=campaign.check,
+        manifest=finished.manifest, check=held, limits=campaign.check,
     )  # fmt: skip
+
+
+def _needed(report: Report, finished: Finished, forms: Collection[str]) -> list[Drawing]:
+    """The figures that the `forms` show."""
+    if {"pdf", "png"} & set(forms):
+        return report.drawings
+    shown = set(plots(finished, report)) if "md" in forms else set()
+    return [one for one in report.drawings if one.stem in shown]

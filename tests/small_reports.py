@@ -6,13 +6,20 @@ from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections, planned
 from reports.plan_pictures import plan_drawings
 from reports.report_data import report_of
+from reports.style import save, style
 from small_campaigns import Here
 
 HERE = Lanes(Here(), 1)
 
 
-def sections_of(plans, results=(), outcomes=None, note=""):
-    return plan_sections(plans, results, outcomes or {}, note, HERE)
+def save_figure(figure, *arguments, file):
+    """`figure` of these `arguments` in a file."""
+    with style():
+        save(figure(*arguments), file)
+
+
+def sections_of(plans, results=(), note=""):
+    return plan_sections(plans, results, note, HERE)
 
 
 def drawn(drawings, figures):
@@ -24,7 +31,7 @@ def drawn(drawings, figures):
 
 def drawings_of(plans):
     """The pictures of plans by label, made here."""
-    return plan_drawings(plans, planned(plans, HERE), [], {}, "plans")
+    return plan_drawings(plans, planned(plans, HERE), "plans")
 
 
 def pdf_of(outcomes, file, title, paper="a4", **told):

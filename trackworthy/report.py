@@ -23,11 +23,13 @@ def add_parser(commands: Any) -> None:
     add("folder", metavar="DIR", help="results of a campaign, as `trackworthy run` leaves them")
     add("--format", action="append", choices=FORMS, default=[], help="only this form; repeatable (default: all)")
     add("--paper", choices=tuple(PAPERS), default="a4", help="of the PDF (default: a4)")
+    add("--baseline", metavar="FILE", help="say in it what became better or worse, as `trackworthy check` does")
     add("-j", "--jobs", type=int, metavar="N", help="processes to draw in (default: one a processor)")
 
 
 def main(args: argparse.Namespace) -> int:
     """Write it, and name the files."""
+    from campaigns.baseline import read_baseline
     from campaigns.execute import Machines, default_jobs
     from campaigns.finished import read_finished
     from planners.errors import InputError
@@ -35,9 +37,9 @@ def main(args: argparse.Namespace) -> int:
 
     if args.jobs is not None and args.jobs < 1:
         raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
-    folder = Path(args.folder)
+    baseline = read_baseline(Path(args.baseline)) if args.baseline else None
     with Machines(args.jobs or default_jobs()).lanes(DRAWING) as lanes:
-        finished = read_finished(folder, lanes)
-        for file in write_report(finished, lanes, args.format or FORMS, PAPERS[args.paper]):
+        finished = read_finished(Path(args.folder), lanes)
+        for file in write_report(finished, lanes, args.format or FORMS, PAPERS[args.paper], baseline):
             print(file)
     return 0

@@ -12,35 +12,46 @@ from reports.json_result import Json
 from tracking.track import Track
 
 _FINE = 20.0  # of the corridor: how far the line through the samples may leave the track
+_PIXELS = 1000  # across a plot
 _COARSER = 2.0  # times the tolerance, until few enough points are left
 _DIGITS = 9  # of what a column starts at and its step: less than the step of any of them
 
 
 def samples(track: Track, corridor: float, most: int) -> Ints:
-    """Indices of about `most` of the samples of `track`: even in time, at bends of its line, and where the error and
-    the curvature are extreme.
+    """Indices of about `most` of the samples of `track`: even in time, and where its line, its error and its curvature
+    bend most.
     """
     count = len(track)
     if count <= most:
         return np.arange(count)
     part = most // 4
     even = np.linspace(0, count - 1, part).astype(np.int64)
-    return np.unique(
-        np.concatenate([
-            even, _bends(track, corridor, part),
-            envelope(track["s"], track["cross_track"], part // 2), envelope(track["s"], track["curvature"], part // 2),
-        ])
-    )  # fmt: skip
+    series = [_bends_of_series(track["t"], track[name], part) for name in ("cross_track", "curvature")]
+    return np.unique(np.concatenate([even, _bends_of_line(track, corridor, part), *series]))
 
 
-def _bends(track: Track, corridor: float, most: int) -> Ints:
+def _bends_of_line(track: Track, corridor: float, most: int) -> Ints:
     xy = np.column_stack([track["x"], track["y"]])
     known = np.flatnonzero(np.isfinite(xy).all(axis=1))
-    line, tolerance = xy[known], corridor / _FINE
+    return known[_simplified(xy[known], corridor / _FINE, most)]
+
+
+def _bends_of_series(t: Floats, values: Floats, most: int) -> Ints:
+    """Where the plot of `values` over `t` bends, with every peak that is wider than a pixel."""
+    drawn = envelope(t, values, _PIXELS)
+    drawn = drawn[np.isfinite(values[drawn])]
+    size = float(np.ptp(values[drawn])) if len(drawn) else 0.0
+    if size == 0.0:
+        return drawn[:1]
+    plot = np.column_stack([t[drawn] / np.ptp(t), values[drawn] / size])
+    return drawn[_simplified(plot, 1.0 / _PIXELS, most)]
+
+
+def _simplified(line: Floats, tolerance: float, most: int) -> Ints:
+    """Indices of `most` points that keep the line (N, 2), within `tolerance` if that is possible."""
     while len(kept := polyline(line, tolerance, 1)) > most:
         tolerance *= _COARSER
-    found: Ints = known[kept]
-    return found
+    return kept
 
 
 def packed(values: Floats, wide: bool = False) -> Json:

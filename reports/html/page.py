@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import Path
 
 from campaigns.finished import Finished
@@ -10,7 +9,6 @@ from planners.atomic_file import atomic
 from reports.html.case_rows import case_rows
 from reports.html.embed import as_json, filled, nonce, plotly
 from reports.html.pictures import embedded
-from reports.html.requirements import requirement_rows
 from reports.html.runs import add_others, worst_runs
 from reports.html.spread import spread_data
 from reports.html.world import World
@@ -44,43 +42,29 @@ def write_html(finished: Finished, data: dict[str, Json], file: Path, limit: int
 
 
 def _content(finished: Finished, data: dict[str, Json], room: int) -> dict[str, Json]:
-    """All that the page shows, in about `room` bytes."""
+    """All that the page shows, in about `room` bytes: the worst runs first, then pictures, then other trials."""
     world = World()
-    told = {key: value for key, value in data.items() if key != "plans"}
     spread: dict[str, Json] = {
-        result.case.name: spread_data(result, finished.outcomes[result.case.name])
+        name: spread_data(result, finished.outcomes[name])
         for result in finished.results
-        if result.case.name in finished.outcomes
+        if (name := result.case.name) in finished.outcomes
     }
-    fixed = {
-        "told": told,
-        "rows": case_rows(finished),
-        "spread": spread,
-        "about": _about(finished),
-        "requirements": requirement_rows(finished),
-    }
-    room -= len(as_json({**fixed}).encode())
+    fixed: dict[str, Json] = {"spread": spread, "rows": case_rows(finished), "about": _about(finished)}
+    room -= len(as_json({**fixed, "told": data}).encode())
     cases = worst_runs(finished, world, int(_WORST * room))
-    maps = {"maps": [*world.maps], "paths": [*world.paths]}
-    room -= len(as_json({"cases": {**cases}, **maps}))
-    sections = data.get("plans")
-    listed = sections if isinstance(sections, list) else []
-    plans, left = embedded(listed, finished.folder / "figures", int(_PICTURES * room))
+    room -= len(as_json({"cases": {**cases}, "maps": world.maps, "paths": world.paths}))
+    # The plans of a scenario are those of all plans
+    told, left = embedded(_without_plans(data), finished.folder / "figures", int(_PICTURES * room))
     add_others(finished, cases, world, room - int(_PICTURES * room) + left)
-    return {**fixed, **maps, "cases": {**cases}, "plans": plans}
+    return {**fixed, "told": told, "maps": world.maps, "paths": world.paths, "cases": {**cases}}
+
+
+def _without_plans(data: dict[str, Json]) -> dict[str, Json]:
+    scenarios = data.get("scenarios")
+    if not isinstance(scenarios, list):
+        return data
+    return {**data, "scenarios": [{**one, "plans": None} for one in scenarios if isinstance(one, dict)]}
 
 
 def _about(finished: Finished) -> Json:
-    manifest, campaign = finished.manifest, finished.campaign
-    return {
-        "name": manifest.name,
-        "note": campaign.note,
-        "command": shlex.join(["trackworthy", "run", finished.called]),
-        "seed": str(manifest.seed),
-        "trials": campaign.trials,
-        "schema": manifest.schema_version,
-        "revision": manifest.git_revision,
-        "platform": manifest.platform,
-        "versions": {**manifest.versions},
-        "hash": manifest.campaign,
-    }
+    return {"note": finished.campaign.note, "version": finished.manifest.versions.get("trackworthy", "")}

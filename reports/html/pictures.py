@@ -1,45 +1,48 @@
-"""Pictures of plans as the page carries them: with few colours, as many as there is room for."""
+"""Pictures of the report as the page carries them: with few colours, as many as there is room for."""
 
 from __future__ import annotations
 
 import base64
 import io
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from reports.json_result import Json
 
-_WIDTH = 1000  # [px]
+_WIDTH = 800  # [px], about
 _COLOURS = 64
 
 
-def embedded(sections: list[Json], folder: Path, room: int) -> tuple[list[Json], int]:
-    """The `sections` on plans with their pictures in them, whose files lie in `folder`; and what is left of `room`.
+def embedded(told: Json, folder: Path, room: int) -> tuple[Json, int]:
+    """What is `told` with the pictures that it names, whose files lie in `folder`; and what is left of `room` [bytes].
 
-    A picture without a file there, or without room, is left out and counted in `left_out`.
+    Wherever there is a "file", there is a "source" beside it then: "" for a picture without a file or without room.
     """
-    named = [picture for section in sections for picture in _pictures(section)]
+    named: dict[str, str] = {}
+    _with_sources(told, lambda file: named.setdefault(file, ""))
     with ThreadPoolExecutor() as pool:
-        sources = pool.map(_source, [(folder / str(one["file"])).with_suffix(".png") for one in named])
-        found = dict(zip([str(one["file"]) for one in named], sources, strict=True))
-    told: list[Json] = []
-    for section in sections:
-        if not isinstance(section, dict):
-            continue
-        shown: list[Json] = []
-        pictures = _pictures(section)
-        for picture in pictures:
-            source = found[str(picture["file"])]
-            if source and len(source) <= room:
+        sources = pool.map(_source, [(folder / file).with_suffix(".png") for file in named])
+        for file, source in zip(named, sources, strict=True):
+            if len(source) <= room:
+                named[file] = source
                 room -= len(source)
-                shown.append({"source": source, "caption": picture["caption"]})
-        told.append({**section, "pictures": shown, "left_out": len(pictures) - len(shown)})
-    return told, room
+    return _with_sources(told, named.__getitem__), room
 
 
-def _pictures(section: Json) -> list[dict[str, Json]]:
-    pictures = section.get("pictures") if isinstance(section, dict) else None
-    return [one for one in pictures if isinstance(one, dict)] if isinstance(pictures, list) else []
+def _with_sources(told: Json, source: Callable[[str], str]) -> Json:
+    if isinstance(told, list):
+        return [_with_sources(one, source) for one in told]
+    if not isinstance(told, dict):
+        return told
+    found = {key: _with_sources(value, source) for key, value in told.items()}
+    figures, file = told.get("figures"), told.get("file")
+    if isinstance(figures, list):
+        found["figures"] = [
+            {"file": one, "caption": "", "source": source(one)} if isinstance(one, str) else _with_sources(one, source)
+            for one in figures
+        ]
+    return {**found, "source": source(file)} if isinstance(file, str) else found
 
 
 def _source(file: Path) -> str:
@@ -50,9 +53,8 @@ def _source(file: Path) -> str:
         return ""
     with Image.open(file) as whole:
         picture = whole.convert("RGB")
-    if picture.width > _WIDTH:
-        picture = picture.resize((_WIDTH, round(picture.height * _WIDTH / picture.width)), Image.Resampling.BOX)
+    picture = picture.reduce(max(1, round(picture.width / _WIDTH)))
     few = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     content = io.BytesIO()
-    few.save(content, "PNG", optimize=True)
+    few.save(content, "PNG")
     return f"data:image/png;base64,{base64.b64encode(content.getvalue()).decode()}"

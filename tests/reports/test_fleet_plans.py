@@ -17,15 +17,15 @@ from planners.planner import NO_PATH, History, Plan, Stage
 from planners.scenario import load_scenario
 from planners.voronoi.roadmap import roadmap_of
 from planners.voronoi.vd import Vd
-from reports.convergence_figure import best_at, convergence_figure, save_convergence_figure, spread
+from reports.convergence_figure import best_at, convergence_figure, spread
 from reports.fleet_plan_figure import fleet_plan_figure, pair_of
 from reports.plan_figure import save_plan_figure
 from reports.plan_json import plan_json
 from reports.plan_rows import is_fleet, limits, plan_row
 from reports.plan_table import rows
-from reports.roadmap_figure import has_roadmap, roadmap_figure, save_roadmap_figure
+from reports.roadmap_figure import has_roadmap, roadmap_figure
 from reports.style import MEMBERS, style
-from small_reports import pdf_of, sections_of
+from small_reports import pdf_of, save_figure, sections_of
 
 TOLD = PlanStatistics(
     seeds=4, found=4, missing={}, exact_length=172000.0, length=Spread(172600.0, 173000.0),
@@ -183,14 +183,14 @@ def test_convergence_shows_median_and_band(tmp_path):
     median = figure.axes[0].lines[1].get_ydata()
     assert np.nanmin(median) == pytest.approx((171e3 + 400.0) / 250.0)
     for file in ("a.png", "b.png"):
-        save_convergence_figure(searches, tmp_path / file)
+        save_figure(convergence_figure, searches, file=tmp_path / file)
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
 
 
 def test_the_same_plan_is_the_same_bytes(mars, searched, tmp_path):
     for file in ("a.svg", "b.svg"):
         save_plan_figure(mars, {"vdp": searched}, tmp_path / file, 250.0)
-        save_roadmap_figure(mars, searched, 250.0, tmp_path / f"roadmap-{file}")
+        save_figure(roadmap_figure, mars, searched, 250.0, file=tmp_path / f"roadmap-{file}")
     for stem in ("", "roadmap-"):
         assert (tmp_path / f"{stem}a.svg").read_bytes() == (tmp_path / f"{stem}b.svg").read_bytes()
 
@@ -203,7 +203,7 @@ def test_a_section_of_fleets(mars, searched, fleet, tmp_path, monkeypatch):
         PlannedBy(Vd(), mars, 1, "case", TOLD, (CLAIM,), searches),
         PlannedBy(Exact(clearance=250.0), mars, 1, "other", TOLD),
     ]
-    (section,) = sections_of(told, [], {"case": dataclasses.replace(fleet, name="case")})
+    (section,) = sections_of(told)
     stem = "plans-1-mars-hazards-15"
     assert [picture.stem for picture in section.pictures] == [
         f"{stem}-{name}" for name in ("roadmap", "convergence", "vd", "exact")

@@ -113,15 +113,14 @@ def test_iterations_shown_are_those_in_which_something_happens():
 
 
 @pytest.fixture
-def sections(nofly, yard, monkeypatch):
+def sections(nofly, monkeypatch):
     """Of planners whose plans are made up."""
 
     def made(found, note="a note"):
         plans = {planner.name: plan for planner, plan, *_ in found}
         monkeypatch.setattr("reports.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
         told = [by(nofly, planner, statistics, planner.name, claims) for planner, _, statistics, claims in found]
-        runs = {name: dataclasses.replace(yard, name=name) for name, plan in plans.items() if plan.paths}
-        return sections_of(told, [_result(name) for name in plans], runs, note)
+        return sections_of(told, [_result(name) for name in plans], note)
 
     return made
 
@@ -136,8 +135,7 @@ def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
     names = [picture.stem for picture in section.pictures]
     stem = "plans-1-nofly-1000x660"
     assert names == [
-        f"{stem}-{name}"
-        for name in ("comparison", "aco-improved", "aco-lost", "aco-improved-ants", "aco-lost-ants", "flown")
+        f"{stem}-{name}" for name in ("comparison", "aco-improved", "aco-lost", "aco-improved-ants", "aco-lost-ants")
     ]
     told = [picture.caption for picture in section.pictures]
     assert [caption.rpartition("Beside ")[2] for caption in told[:2]] == ["Fig. 15.", "Fig. 10."]
@@ -160,9 +158,7 @@ def test_searches_have_their_ants_drawn_and_are_compared(sections, tmp_path):
 def test_a_planner_without_a_search_has_its_plan_alone(sections, tmp_path):
     plan = dataclasses.replace(made_up_plan(), polylines=(), history=None, smallest_radius=None)
     (section,) = sections([(Exact(20.0), plan, CORNERED, ())])
-    assert [picture.stem for picture in section.pictures] == [
-        "plans-1-nofly-1000x660-exact", "plans-1-nofly-1000x660-flown",
-    ]  # fmt: skip
+    assert [picture.stem for picture in section.pictures] == ["plans-1-nofly-1000x660-exact"]
     pdf_of([], tmp_path / "a.pdf", "Plans", plans=[section])
 
 

@@ -11,14 +11,14 @@ from planners.map import Map, Raster
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
 from planners.scenario import Scenario, load_scenario
-from reports.colony_figure import colony_figure, save_colony_figure, shown_iterations
-from reports.comparison_figure import comparison_figure, save_comparison_figure
-from reports.flown_figure import flown_figure, save_flown_figure
+from reports.colony_figure import colony_figure, shown_iterations
+from reports.comparison_figure import comparison_figure
 from reports.needed_panel import stretches_beyond, worst_place
 from reports.plan_figure import plan_figure, save_plan_figure
 from reports.plan_turn import sharpest
 from reports.style import style
 from sample_plans import CORNERS, UNIT, lost_plan, made_up_history, made_up_plan
+from small_reports import save_figure
 
 
 @pytest.fixture(scope="module")
@@ -49,9 +49,8 @@ def saved(tmp_path):
 def test_every_figure_is_the_same_bytes(nofly, yard, sharp_yard, saved):
     plan = made_up_plan(iterations=5, ants=10)
     saved(lambda file: save_plan_figure(nofly, {"improved": plan}, file))
-    saved(lambda file: save_colony_figure(nofly, plan.history, file))
-    saved(lambda file: save_comparison_figure({"improved": plan.history}, file, 24e3))
-    saved(lambda file: save_flown_figure([yard, sharp_yard], file))
+    saved(lambda file: save_figure(colony_figure, nofly, plan.history, file=file))
+    saved(lambda file: save_figure(comparison_figure, {"improved": plan.history}, 24e3, file=file))
 
 
 def figures_of(nofly, plan):
@@ -68,11 +67,6 @@ def test_nothing_runs_out_of_a_figure(nofly, plan):
     with style():
         for figure in figures_of(nofly, plan):
             inside_and_apart(figure)
-
-
-def test_nothing_runs_out_of_the_figure_of_runs(route, yard, sharp_yard):
-    with style():
-        inside_and_apart(flown_figure([route, yard, sharp_yard]))
 
 
 def inside_and_apart(figure):
@@ -93,7 +87,8 @@ def test_a_plan_is_told_in_metres_map_units_and_against_the_exact_path(nofly):
     text = words(plan_figure(nofly, {"improved": plan}))
     length = plan.paths[0].length
     for part in (f"{length / UNIT:.2f} map units", "times the exact shortest path", "before smoothing", "east [km]",
-                 "99.6° in all, smallest radius 400 m", "Length by iteration [km]", "Arrived [%]", "iteration"):  # fmt: skip
+                 "99.6° in all, smallest radius 400 m", "Length by iteration [km]", "Arrived [%]",
+                 "iteration"):  # fmt: skip
         assert part in text
 
 
@@ -131,19 +126,6 @@ def test_the_iterations_shown():
     assert shown_iterations(4, (1, 3, 5, 10)) == (1, 3, 4)
     with pytest.raises(ValueError, match="nothing to show"):
         shown_iterations(0)
-
-
-def test_runs_within_one_corridor_have_one_error_scale(yard, sharp_yard):
-    """One that leaves it has its own, or the others would be flat lines."""
-    with style():
-        figure = flown_figure([yard, dataclasses.replace(yard, name="again"), sharp_yard])
-    axes = [axes for axes in figure.axes if axes._left_title.get_text().startswith("Cross-track")]
-    first, second, beyond = (one.get_ylim()[1] for one in axes)
-    assert first == second == pytest.approx(1.3 * yard.corridor)
-    assert beyond > 2.0 * first
-    text = words(figure)
-    assert "✓ TRACKWORTHY" in text
-    assert "✗ NOT TRACKWORTHY" in text
 
 
 def test_the_sharpest_turn_of_corners_and_of_the_curves_that_replace_them():

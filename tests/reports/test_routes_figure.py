@@ -7,10 +7,10 @@ from planners.all_planners import make_planner, plan_with
 from reports.plan_figure import plan_figure
 from reports.plan_turn import came
 from reports.quantity import text
-from reports.routes_figure import COLUMNS, ROWS, Route, routes_figure, save_routes_figure
+from reports.routes_figure import COLUMNS, ROWS, Route, routes_figure
 from reports.style import VERMILION, style
 from sample_maps import box, scenario
-from small_reports import drawings_of, sections_of
+from small_reports import drawings_of, save_figure, sections_of
 
 WALL = scenario(polygons=[box(55.0, 20.0, 4.0, 40.0)], unit=1.0)
 SPEEDS = (30.0, 45.0, 60.0)  # [km/h]
@@ -60,7 +60,7 @@ def test_routes_at_one_scale_with_what_they_need_and_where_they_ended(rows):
 
 def test_the_same_routes_give_the_same_bytes(rows, tmp_path):
     for file in ("a.png", "b.png"):
-        save_routes_figure(WALL, rows, tmp_path / file)
+        save_figure(routes_figure, WALL, rows, file=tmp_path / file)
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
 
 

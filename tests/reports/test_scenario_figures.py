@@ -1,6 +1,7 @@
 import dataclasses
 import math
 import pickle
+from functools import cache
 
 import numpy as np
 import pytest
@@ -37,6 +38,7 @@ def long_route():
     return dataclasses.replace(near, path=path, track=track, obstacles=None)
 
 
+@cache
 def made(kind):
     yard = make_yard()
     word = "a-name-of-a-hundred-characters-without-a-space-" * 3
@@ -145,6 +147,12 @@ def test_cases_that_nothing_tells_apart_are_called_by_name():
     yard = make_yard()
     first, second = (run for name in ("a", "b") for run in runs_of(yard, name=name).runs)
     assert [run.setting for run in named([first, second])] == [first.result.case.name, second.result.case.name]
+
+
+def test_a_case_without_a_track_makes_no_difference():
+    runs = runs_of(make_yard(), ("a", "b"), ("lqr", "l1"))
+    missing = dataclasses.replace(runs.runs[0], outcome=None)
+    assert [run.setting for run in named([missing, *runs.runs[1:]])][1:] == ["l1", "lqr", "l1"]
 
 
 def test_the_worst_case_comes_first():

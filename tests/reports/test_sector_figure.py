@@ -7,10 +7,10 @@ from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner
 from planners.astar.arc_printed import children, descent_of
-from reports.sector_figure import most_cut, save_sector_figure, sector_figure
+from reports.sector_figure import most_cut, sector_figure
 from reports.style import style
 from sample_maps import WALLED, box, scenario
-from small_reports import drawings_of, drawn
+from small_reports import drawings_of, drawn, save_figure
 
 POST = scenario(circles=[(60.0, 41.3, 1.5)], goal=(105.0, 40.0), unit=1.0)
 WALL = scenario(polygons=[box(55.0, 20.0, 4.0, 40.0)], unit=1.0)
@@ -65,7 +65,7 @@ def test_a_campaign_draws_the_sectors_of_its_planners(tmp_path):
     assert first.stem == "plans-sectors"
     assert first.caption.startswith("30 km/h, 45 km/h and 60 km/h: above")
     assert first.caption.endswith("Beside Fig. 7.")
-    save_sector_figure(POST, PLANNERS, tmp_path / "again.png")
+    save_figure(sector_figure, POST, PLANNERS, file=tmp_path / "again.png")
     assert drawn([first], tmp_path / "figures")[0].read_bytes() == (tmp_path / "again.png").read_bytes()
 
 

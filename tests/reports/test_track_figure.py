@@ -3,12 +3,14 @@ import math
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 
 from planners.map import Map, Raster
 from planners.path import Path
 from reports.focus import focus
 from reports.header import head_of, header_height
+from reports.needed_line import draw_needed
 from reports.quantity import text as quantity
 from reports.style import style
 from reports.track_figure import save_track_figure, track_figure
@@ -209,14 +211,13 @@ def test_nothing_runs_out_of_the_figure_or_into_its_neighbour(name, page, reques
 def lateral_panel(outcome):
     with style():
         (found,) = (axes for axes in track_figure(outcome).axes if axes._left_title.get_text().startswith("Lateral"))
-    return found, {line.get_label(): line for line in (*found.lines, *found.collections)}
+    return found, {line.get_label(): line for line in found.lines}
 
 
 def test_lateral_acceleration_stands_beside_what_the_path_needs_and_both_limits(sharp_yard):
     """A corner of 81 deg at 8 m/s needs v d / 0.5 s = 2.3 g; the axis ends at 1.25 times three limits of 0.6 g."""
     axes, lines = lateral_panel(sharp_yard)
-    (swung,) = lines["needed"].get_paths()
-    assert swung.vertices[:, 1].min() == pytest.approx(8.0 * (math.atan2(5, 30) - math.pi / 2) / 0.5 / G)
+    assert lines["needed"].get_ydata().min() == pytest.approx(8.0 * (math.atan2(5, 30) - math.pi / 2) / 0.5 / G)
     assert lines["driven"].get_ydata().max() == pytest.approx(sharp_yard.track["lateral_acceleration"].max() / G)
     assert lines["limit"].get_ydata()[0] == pytest.approx(0.6)
     assert lines["grip"].get_ydata()[0] == 0.8
@@ -241,3 +242,17 @@ def test_an_unreached_point_is_marked_on_the_path(route):
     marked = focus(dataclasses.replace(route, verdict=Verdict((margin,))))
     assert marked.index is None
     assert (marked.x, marked.y) == pytest.approx(route.path.point_at(39e3))
+
+
+def test_what_a_staircase_needs_is_an_area_and_what_a_curve_needs_is_a_line():
+    """Steps of +-2 on the left half of a path, a slope on its right one."""
+    s = np.linspace(0.0, 200.0, 2001)
+    needed = np.where(s < 100.0, 2.0 * (-1.0) ** np.arange(len(s)), s / 100.0)
+    axes = Figure().add_subplot()
+    draw_needed(axes, s, needed)
+    (line,) = axes.lines
+    assert np.isnan(line.get_ydata()[s < 99.0]).all()
+    assert line.get_ydata()[s > 101.0] == pytest.approx(needed[s > 101.0])
+    areas = [area.get_paths()[0].vertices for area in axes.collections]
+    assert {(area[:, 1].min(), area[:, 1].max()) for area in areas[:-1]} == {(-2.0, 2.0)}
+    assert max(area[:, 0].max() for area in areas) <= 102.0

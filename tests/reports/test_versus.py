@@ -11,11 +11,12 @@ from PIL import Image
 from campaigns.conditions import ConditionKeys
 from campaigns.versus import versus_groups
 from reports.style import save, style
-from reports.versus_figure import save_versus_figure, versus_figure
+from reports.versus_figure import versus_figure
 from reports.versus_layout import MOST_ROWS, columns, pages
 from reports.versus_section import versus_section
 from reports.versus_words import change_text, families, share_text, versus_table
 from sample_results import made_result
+from small_reports import save_figure
 
 CONTROLLERS = ("lqr", "stanley", "pure-pursuit")
 
@@ -141,7 +142,7 @@ def test_nothing_overlaps_and_nothing_is_cut(shape, tmp_path):
 def test_the_same_results_give_the_same_bytes(tmp_path):
     for name in ("a", "b"):
         for suffix in ("png", "svg"):
-            save_versus_figure(only_family(results()), tmp_path / f"{name}.{suffix}")
+            save_figure(versus_figure, only_family(results()), file=tmp_path / f"{name}.{suffix}")
     for suffix in ("png", "svg"):
         assert (tmp_path / f"a.{suffix}").read_bytes() == (tmp_path / f"b.{suffix}").read_bytes()
 

@@ -96,7 +96,7 @@ function tag(context, words, x, y) {
 function windArrow(context, [left, top, width], [east, north]) {
   const speed = Math.hypot(east, north);
   context.save();
-  context.translate(left + width - 34, top + 30);
+  context.translate(left + width - 40, top + 48);
   context.rotate(Math.atan2(-north, east));
   context.fillStyle = INK;
   context.strokeStyle = "#ffffff";
@@ -108,6 +108,6 @@ function windArrow(context, [left, top, width], [east, north]) {
   context.stroke();
   context.restore();
   context.textAlign = "center";
-  tag(context, `wind ${digits(speed)} m/s`, left + width - 40, top + 64);
+  tag(context, `wind ${digits(speed)} m/s`, left + width - 40, top + 82);
   context.textAlign = "start";
 }

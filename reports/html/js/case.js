@@ -4,7 +4,7 @@ let shownCase = null; // what is on the page of a case now: its player, and how 
 
 function caseView(row) {
   leaveCase();
-  const told = (TOLD.cases || []).find((one) => one.name === row.name) || {};
+  const told = TOLD.cases.find((one) => one.name === row.name) || {};
   const one = DATA.cases[row.name];
   const stage = make("div", { id: "stage" });
   const spreads = make("div", { class: "columns", id: "spreads" });
@@ -13,7 +13,7 @@ function caseView(row) {
   fill(view, [
     caseHead(row),
     make("p", { class: "muted" }, [caseSetting(row, told), told.corridor && `corridor ±${told.corridor}`, told.path].filter(Boolean).join(" · ")),
-    make("p", {}, told.trials ? told.trials.reason : toldOf(row).why || told.reason),
+    make("p", {}, told.trials ? told.trials.reason : TOLD.rows[row.number - 1].why),
     !row.passed && make("p", { class: "bad" }, make("b", {}, "Not as expected.")),
     stage, spreads,
     make("div", { class: "columns" }, [requirementsTable(told), tightTable(told), steepTable(told)].filter(Boolean)),
@@ -200,6 +200,6 @@ function drawSpreads(target, row, one, run) {
     spread.metrics.map((one_, i) => make("option", { value: i }, one_.words)));
   fill(target, [make("div", {}, make("div", { class: "player" }, make("span", { class: "muted small" }, "over all trials")), band),
     make("div", {}, make("div", { class: "player" }, make("label", {}, "metric", metric)), chart)]);
-  bandPlot(band, spread, one.corridor, target.clientWidth < 700);
+  bandPlot(band, spread, one.corridor);
   draw(0);
 }

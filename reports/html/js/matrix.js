@@ -9,19 +9,36 @@ function caseLink(named, words) {
 
 function matrix() {
   const told = TOLD.matrix;
-  if (!told || told.rows.length === 0) return;
+  if (told.rows.length === 0) return;
+  const same = told.same.length > 0 ? ` The same in all cases: ${told.same.join(", ")}.` : "";
+  section("matrix", "All cases at a glance", bands(told).map((rows) => matrixTable(told, rows)), make("p", { class: "muted small" },
+    `A cell tells by how much of its limit the requirement that decides is kept (blue, ✓) or missed (vermilion, ✗).${same}`));
+}
+
+/** The rows in groups that have columns in common, so that no table is mostly empty. */
+function bands(told) {
+  let found = [];
+  told.rows.forEach((_, i) => {
+    const columns = new Set(told.columns.map((__, k) => k).filter((k) => told.cells[i][k]));
+    const joined = found.filter((band) => [...columns].some((k) => band.columns.has(k)));
+    const merged = { rows: [...joined.flatMap((band) => band.rows), i], columns: new Set([...joined.flatMap((band) => [...band.columns]), ...columns]) };
+    found = [...found.filter((band) => !joined.includes(band)), merged];
+  });
+  return found.map((band) => band.rows.sort((a, b) => a - b)).sort((a, b) => a[0] - b[0]);
+}
+
+function matrixTable(told, shown) {
+  const used = told.columns.map((_, k) => k).filter((k) => shown.some((i) => told.cells[i][k]));
+  const columns = used.map((k) => told.columns[k]);
   const heads = (told.across.length > 0 ? told.across : [""]).map((dimension, level) => make("tr", {},
     told.down.map((words) => make("th", { scope: "col" }, level === levels(told) - 1 ? words : "")),
-    spans(told.columns, level).map(([words, count]) => make("th", { scope: "col", colspan: count, class: "across" },
+    spans(columns, level).map(([words, count]) => make("th", { scope: "col", colspan: count, class: "across" },
       dimension ? words : "margin of the requirement that decides"))));
-  const rows = told.rows.map((row, i) => make("tr", {},
-    row.map((words, k) => make("th", { scope: "row", class: "down" }, i > 0 && sameUpTo(told.rows[i - 1], row, k) ? "" : words)),
-    told.cells[i].map(matrixCell)));
-  const same = told.same.length > 0 ? ` The same in all cases: ${told.same.join(", ")}.` : "";
-  section("matrix", "All cases at a glance",
-    make("div", { class: "scroll" }, make("table", { class: "matrix" }, make("thead", {}, heads), make("tbody", {}, rows))),
-    make("p", { class: "muted small" },
-      `A cell tells by how much of its limit the requirement that decides is kept (blue, ✓) or missed (vermilion, ✗).${same}`));
+  const rows = shown.map((i, at) => make("tr", {},
+    told.rows[i].map((words, k) => make("th", { scope: "row", class: "down" },
+      at > 0 && sameUpTo(told.rows[shown[at - 1]], told.rows[i], k) ? "" : words)),
+    used.map((k) => matrixCell(told.cells[i][k]))));
+  return make("div", { class: "scroll" }, make("table", { class: "matrix" }, make("thead", {}, heads), make("tbody", {}, rows)));
 }
 
 function levels(told) {

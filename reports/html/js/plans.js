@@ -5,15 +5,10 @@ function linesCell(lines) {
 }
 
 function plansSection() {
-  const parts = (DATA.plans || []).map((one) => [
+  section("plans", "Plans, and what papers claim", TOLD.plans.map((one) => [
     make("h3", {}, `Plans on ${one.scenario}`), make("p", { class: "muted small" }, one.about),
-    plansTable(one), one.note && make("p", { class: "small" }, one.note),
-    one.pictures.length > 0 && make("details", {}, make("summary", {}, `Pictures: ${one.pictures.length}`),
-      make("div", { class: "plan-pictures" }, one.pictures.map((picture) => make("figure", {},
-        make("img", { src: picture.source, alt: picture.caption, loading: "lazy" }), make("figcaption", {}, picture.caption))))),
-    one.left_out > 0 && make("p", { class: "muted small" }, `${one.left_out} more pictures lie in the folder figures.`),
-  ]);
-  section("plans", "Plans, and what papers claim", parts);
+    plansTable(one), one.note && make("p", { class: "small" }, one.note), pictures(one.pictures),
+  ]));
 }
 
 // What a planner's row may tell: its key, its head, and how it is written; columns that are empty for all are left out.
@@ -49,7 +44,7 @@ function plansTable(one) {
 }
 
 function searchesSection() {
-  const parts = (TOLD.searches || []).map((found) => [
+  const parts = TOLD.searches.map((found) => [
     make("h3", {}, found.title),
     table(found.head.map((words, i) => [words, i === 2 || i === 3 ? "number" : ""]), found.rows.map((row) => [
       make("b", {}, row.name), [row.path, make("div", { class: "muted" }, `${row.vehicle} · ${row.controller}`)],

@@ -13,7 +13,7 @@ const KILO_FROM = 10000; // [m] beyond which axes are in kilometres
 
 function axis(title, more) {
   return { title: { text: title, font: { size: 12, color: MUTED }, standoff: 6 }, gridcolor: GRID, linecolor: AXIS, tickcolor: AXIS,
-    tickfont: { size: 11, color: MUTED }, zeroline: false, automargin: true, ...more };
+    tickfont: { size: 11, color: MUTED }, zeroline: false, automargin: true, exponentformat: "none", ...more };
 }
 
 function layoutOf(more) {

@@ -1,6 +1,6 @@
 // Many trials of a case: the band of the error along the path, and how a metric is distributed.
 
-function bandPlot(target, spread, corridor, narrow) {
+function bandPlot(target, spread, corridor) {
   const [scale, unit] = scaleOf(spread.length);
   const count = spread.band.bias.length;
   const x = Array.from({ length: count }, (_, i) => ((i + 0.5) * spread.length) / count / scale);
@@ -15,7 +15,7 @@ function bandPlot(target, spread, corridor, narrow) {
   const layout = layoutOf({ height: 290, hovermode: "x",
     xaxis: axis(`distance along the ${spread.whose} [${unit}]`), yaxis: axis("cross-track error [m]", { range: [-most, most], nticks: 8 }),
     shapes: [corridorEdge(corridor), corridorEdge(-corridor)] });
-  layout.annotations = [{ text: `<b>Error over the trials</b>  <span style="color:${MUTED}">line: mean · band: 90 % of the trials${narrow ? "" : ` · corridor ±${plain(metres(corridor))}`}</span>`,
+  layout.annotations = [{ text: `<b>Error over the trials</b>  <span style="color:${MUTED}">line: mean · band: 90 % of trials · dashed: corridor</span>`,
     showarrow: false, xref: "paper", yref: "paper", x: 0, y: 1, xanchor: "left", yanchor: "bottom", align: "left" }];
   window.Plotly.newPlot(target, signed, layout, CONFIG);
 }

@@ -36,7 +36,7 @@ function route() {
   document.body.classList.toggle("in-case", Boolean(row));
   if (row) {
     caseView(row);
-    window.scrollTo(0, Math.max(0, byId("sections").offsetTop));
+    window.scrollTo(0, 0);
     byId("case-name").focus({ preventScroll: true });
     return;
   }
@@ -57,7 +57,7 @@ plansSection();
 searchesSection();
 checkSection();
 appendix();
-byId("foot").textContent = `trackworthy ${DATA.about.versions.trackworthy || ""} · all of this page is in this file; it asks no network.`;
+byId("foot").textContent = `trackworthy ${DATA.about.version} · all of this page is in this file; it asks no network.`;
 window.addEventListener("hashchange", route);
 route();
 withPlotly(() => {});

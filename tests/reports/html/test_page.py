@@ -158,8 +158,9 @@ def test_samples_keep_the_line_and_the_worst(route):
     kept = samples(track, route.corridor, 400)
     assert len(kept) <= 440
     assert {0, len(track) - 1, int(np.argmax(np.abs(track["cross_track"])))} <= set(kept.tolist())
-    x, y = (np.interp(track["t"], track["t"][kept], track[column][kept]) for column in ("x", "y"))
-    assert np.hypot(x - track["x"], y - track["y"]).max() < route.corridor
+    x, y, error = (np.interp(track["t"], track["t"][kept], track[column][kept]) for column in ("x", "y", "cross_track"))
+    assert np.hypot(x - track["x"], y - track["y"]).max() < 0.2 * route.corridor
+    assert np.abs(error - track["cross_track"]).max() < 0.02 * np.ptp(track["cross_track"])
 
 
 def test_a_map_as_rings():
@@ -205,12 +206,18 @@ def test_pictures_within_their_room(tmp_path):
     from PIL import Image
 
     Image.new("RGB", (1600, 400), "#0072b2").save(tmp_path / "a.1.png")
-    section = {
-        "scenario": "s",
-        "pictures": [{"file": "a.1.svg", "caption": "one"}, {"file": "gone.svg", "caption": "two"}],
+    Image.new("RGB", (1600, 400), "#d55e00").save(tmp_path / "b.png")
+    told = {
+        "plans": [{"pictures": [{"file": "a.1.svg", "caption": "one"}, {"file": "gone.svg"}]}],
+        "figures": ["b.svg"],
     }
-    told, left = embedded([section], tmp_path, 100_000)
-    assert [picture["caption"] for picture in told[0]["pictures"]] == ["one"]
-    assert told[0]["left_out"] == 1
-    assert 0 < left < 100_000
-    assert embedded([section], tmp_path, 10)[0][0]["left_out"] == 2
+    found, left = embedded(told, tmp_path, 100_000)
+    one, gone = found["plans"][0]["pictures"]
+    other = found["figures"][0]
+    assert one["caption"] == "one"
+    assert one["source"].startswith("data:image/png;base64,")
+    assert gone["source"] == ""
+    assert other["source"] not in ("", one["source"])
+    assert left == 100_000 - len(one["source"]) - len(other["source"])
+    assert embedded(told, tmp_path, len(other["source"]))[0]["plans"][0]["pictures"][0]["source"] == one["source"]
+    assert embedded(told, tmp_path, 10)[0]["figures"] == [{**other, "source": ""}]
