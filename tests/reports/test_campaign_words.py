@@ -30,7 +30,14 @@ def result_of(rows, **keys):
 
 
 def trials(good, bad):
-    return [row(trial, trial <= good, 0.1 + 0.001 * trial) for trial in range(1, good + bad + 1)]
+    return [row(trial, trial <= good, 0.1 + 1e-6 * trial) for trial in range(1, good + bad + 1)]
+
+
+def test_trials_that_do_not_differ_have_no_interval():
+    rows = [row(trial) for trial in (1, 2, 3)]
+    assert share_words(result_of(rows)) == "3 of 3 trials trackworthy, all alike: nothing in them is random"
+    lost = [row(1), row(2), row(3, good=False)]
+    assert share_words(result_of(lost)).startswith("2 of 3 trials trackworthy (9.43 ")
 
 
 @pytest.mark.parametrize(
@@ -45,12 +52,6 @@ def trials(good, bad):
 )
 def test_a_share_comes_with_its_interval(good, bad, words):
     assert share_words(result_of(trials(good, bad))) == words
-
-
-def test_trials_that_are_all_the_same_have_no_interval():
-    alike = "trackworthy, all alike: nothing in them is random"
-    assert share_words(result_of([row(trial) for trial in range(1, 4)])) == f"3 of 3 trials {alike}"
-    assert alike not in share_words(result_of([row(1), row(2), row(3, good=False)]))
 
 
 @pytest.mark.parametrize(
