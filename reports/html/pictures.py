@@ -8,8 +8,6 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import numpy as np
-
 from reports.json_result import Json
 
 _WIDTH = 800  # [px], about
@@ -65,9 +63,10 @@ def _source(file: Path) -> str:
     picture = picture.reduce(max(1, round(picture.width / _WIDTH)))
     few = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     palette = few.getpalette() or []
-    corner = int(np.asarray(few)[0, 0])
-    if picture.getpixel((0, 0)) == _PAPER:  # which the octree mixes with what is pale
-        few.putpalette([*palette[: 3 * corner], *_PAPER, *palette[3 * corner + 3 :]])
+    corner = few.getpixel((0, 0))
+    if picture.getpixel((0, 0)) == _PAPER and isinstance(corner, int | float):  # the octree mixes it with what is pale
+        at = 3 * int(corner)
+        few.putpalette([*palette[:at], *_PAPER, *palette[at + 3 :]])
     content = io.BytesIO()
     few.save(content, "PNG")
     return f"data:image/png;base64,{base64.b64encode(content.getvalue()).decode()}"

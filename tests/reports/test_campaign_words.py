@@ -30,7 +30,14 @@ def result_of(rows, **keys):
 
 
 def trials(good, bad):
-    return [row(trial, trial <= good) for trial in range(1, good + bad + 1)]
+    return [row(trial, trial <= good, 0.1 + 1e-6 * trial) for trial in range(1, good + bad + 1)]
+
+
+def test_trials_that_do_not_differ_have_no_interval():
+    rows = [row(trial) for trial in (1, 2, 3)]
+    assert share_words(result_of(rows)) == "3 of 3 trials trackworthy, all alike: nothing in them is random"
+    lost = [row(1), row(2), row(3, good=False)]
+    assert share_words(result_of(lost)).startswith("2 of 3 trials trackworthy (9.43 ")
 
 
 @pytest.mark.parametrize(

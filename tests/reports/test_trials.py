@@ -216,7 +216,7 @@ def test_pdf_of_trials(yard, sharp_yard, tmp_path):
     for name in ("a.pdf", "b.pdf"):
         pdf_of([yard, once, sharp_yard], tmp_path / name, "Trials", commands=["x"] * 3, results=results)
     assert (tmp_path / "a.pdf").read_bytes() == (tmp_path / "b.pdf").read_bytes()
-    assert pages(tmp_path / "a.pdf") == 2 + 2 + 1 + 2 + 1
+    assert pages(tmp_path / "a.pdf") == 1 + 1 + 2 + (2 + 1 + 2) + 1  # first, matrix, scenario, cases, appendix
 
 
 def test_what_is_told_is_json(route):

@@ -81,7 +81,7 @@ def test_one_form_alone(results, capfd):
 
 def test_letter_paper(results):
     assert main(["report", str(results), "--format", "pdf", "--paper", "letter"]) == 0
-    boxes = re.findall(rb"/MediaBox \[([^]]*)\]", (results / "report.pdf").read_bytes())
+    boxes = re.findall(rb"/MediaBox\s*\[([^]]*)\]", (results / "report.pdf").read_bytes())
     assert {tuple(map(float, box.split())) for box in boxes} == {(0.0, 0.0, 612.0, 792.0)}
 
 

@@ -6,7 +6,10 @@ import time
 
 import pytest
 
+from campaigns.lanes import Lanes
 from reports.html.page import write_html
+from reports.write import campaign_report
+from small_campaigns import Here
 
 pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
 from selenium import webdriver
@@ -209,4 +212,14 @@ def test_a_fleet_shares_a_clock(browser, finished, data, apart_fleet, tmp_path):
     for (x, waits), member in zip(told, apart_fleet.fleet.members, strict=True):
         if waits:
             assert x == pytest.approx(member.track["x"][0], abs=1e-2)
+    assert browser.get_log("browser") == []
+
+
+def test_a_case_without_a_track_says_so(browser, finished, tmp_path):
+    bare = dataclasses.replace(finished, outcomes={}, folder=tmp_path)
+    write_html(bare, campaign_report(bare, Lanes(Here(), 1)).data, tmp_path / "report.html")
+    browser.get((tmp_path / "report.html").as_uri())
+    assert numbers(browser) == [1, 2, 3]
+    browser.execute_script("location.hash = '#case-1'")
+    wait(browser, lambda b: "no track to replay" in b.find_element(By.ID, "stage").text)
     assert browser.get_log("browser") == []
