@@ -71,7 +71,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   const over = make("select", { id: "over", onchange: () => drawPlots() },
     make("option", { value: "time" }, "time"), make("option", { value: "distance" }, "distance"));
   const own = make("input", { type: "checkbox", id: "own-scale", onchange: () => drawPlots() });
-  const live = readouts(vehicles[followed], one.kind);
+  const live = readouts(vehicles[followed], one.kind, vehicles.length > 1);
   fill(mapBox, [mapPlot, canvas]);
   fill(plotsBox, [plots, cursor]);
   let scale = null; // of the map, once it is drawn
@@ -92,7 +92,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   function show() {
     const states = vehicles.map((vehicle) => stateAt(vehicle, player.clock));
     panel.update();
-    live.update(states[followed]);
+    live.update(states[followed], nearestOther(states, followed));
     drawAttitude(attitude, one, states[followed]);
     if (scale) {
       if (following) followVehicle(states[followed]);

@@ -15,6 +15,14 @@ function stateAt(vehicle, clock) {
   return { ...state, waiting: clock < vehicle.clock[0], arrived: clock > last, clock };
 }
 
+/** How far the nearest other vehicle that is under way is [m]; Infinity where there is none. */
+function nearestOther(states, followed) {
+  const away = (one) => one.waiting || one.arrived;
+  const own = states[followed];
+  const others = states.filter((one, i) => i !== followed && !away(one) && !away(own));
+  return Math.min(...others.map((one) => Math.hypot(one.x - own.x, one.y - own.y, (one.z || 0) - (own.z || 0))));
+}
+
 class Player {
   constructor(vehicles, show) {
     this.vehicles = vehicles;
@@ -116,13 +124,15 @@ const READOUTS = [
 ];
 
 /** The live values of the vehicle that is followed. */
-function readouts(vehicle, kind) {
+function readouts(vehicle, kind, fleet) {
   const shown = READOUTS.filter(([, key]) => key in vehicle.columns);
   const cells = shown.map(([words, key]) => [words, make("td", { "data-live": key })]);
   const state = make("td", { "data-live": "state" });
+  const nearest = make("td", { "data-live": "nearest" });
   const rows = [...cells.map(([words, cell]) => make("tr", {}, make("td", {}, kind === "ground" && words === "ground speed" ? "speed" : words), cell)),
-    make("tr", {}, make("td", {}, "state"), state)];
-  const update = (now) => {
+    fleet && make("tr", {}, make("td", {}, "nearest vehicle"), nearest), make("tr", {}, make("td", {}, "state"), state)];
+  const update = (now, distance) => {
+    nearest.textContent = Number.isFinite(distance) ? metres(distance) : "none under way";
     shown.forEach(([, key, format], i) => { cells[i][1].textContent = format(now[key]); });
     state.textContent = now.waiting ? `leaves at ${steady(vehicle.departure, 0)} s` : now.arrived ? vehicle.ended : "under way";
   };

@@ -212,6 +212,13 @@ def test_a_fleet_shares_a_clock(browser, finished, data, apart_fleet, tmp_path):
     for (x, waits), member in zip(told, apart_fleet.fleet.members, strict=True):
         if waits:
             assert x == pytest.approx(member.track["x"][0], abs=1e-2)
+    nearest = apart_fleet.metrics["separation_min"]
+    between = (
+        "const states = shownCase.player.vehicles.map((one) => stateAt(one, arguments[0]));"
+        "return nearestOther(states, arguments[1])"
+    )
+    told = browser.execute_script(between, nearest.t, int(nearest.who[0]) - 1)
+    assert told == pytest.approx(nearest.value, rel=0.01)
     assert browser.get_log("browser") == []
 
 
