@@ -121,7 +121,8 @@ def _row(one: Difference) -> Row:
     factor, unit = _shown_unit(one.unit)
     old, new = (number(factor * value, _DIGITS) for value in (one.before, one.after))
     change = number(factor * one.change, _FINE)
-    ends = "" if one.interval is None else " … ".join(number(factor * end, _FINE) for end in one.interval)
+    random = one.interval is not None and one.interval[0] < one.interval[1]
+    ends = " … ".join(number(factor * end, _FINE) for end in one.interval or ()) if random else ""
     sign = "+" if one.change > 0.0 else ""
     return one.metric, old, new, f"{sign}{change}", ends, unit, one.outcome
 

@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from campaigns.conditions import known_wind
-from campaigns.difference import CHANCE, CONFIDENCE, SAME, SMALL, Difference
+from campaigns.difference import CHANCE, SAME, SMALL, Difference
 from campaigns.settings import key_of, settings, without
 from campaigns.summary import CaseResult
 from campaigns.versus import TRACKWORTHY_SHARE, Group, Member, unit_of
 from planners.units import parse_speed
+from reports.campaign_words import all_alike
 from reports.condition_words import condition_words
 from reports.fleet_words import GROUND
 from reports.names import listed
@@ -75,7 +76,7 @@ def note(family: Family) -> str:
     told = [f"Differences are to the best of each group, by their means{_paired(members)}."]
     if any(one.interval for member in members for one in member.differences.values()):
         told += [
-            f"In brackets {CONFIDENCE:.0%} bootstrap intervals.".replace("%", " %"),
+            "In brackets: of a value where 90 % of its trials lie, of a difference its 95 % bootstrap interval.",
             "A difference is called better or worse if it is beyond what chance may do in all that is compared here, "
             "and more than a check would allow.",
         ]
@@ -87,19 +88,21 @@ def note(family: Family) -> str:
 
 
 def share_text(result: CaseResult) -> str:
-    """ "18 of 20 (68 to 99 %)", with the interval of Clopper and Pearson; of one trial whether it is trackworthy."""
+    """ "18 of 20 (68 to 99 %)", with the interval of Clopper and Pearson where trials differ; "yes" or "no" of one."""
     found = result.statistics
     if found.tried == 1:
         return "yes" if found.trackworthy else "no"
+    if all_alike(result):
+        return f"{found.trackworthy} of {found.tried}, all alike"
     low, high = found.interval
     return f"{found.trackworthy} of {found.tried} ({number(100 * low, 2)} to {number(100 * high, 3)} %)"
 
 
 def change_text(one: Difference) -> str:
-    """ "+0.0134 m (0.011 to 0.016 m)", of shares in percentage points."""
+    """ "+0.0134 m (0.011 to 0.016 m)", without an interval where nothing is random; of shares in percentage points."""
     points = one.unit == "share"
     told = _signed(one.change, one.unit).replace(" %", " points") if points else _signed(one.change, one.unit)
-    if one.interval is None or one.change == 0.0:
+    if one.interval is None or one.interval[0] == one.interval[1]:
         return told
     ends = _span(*one.interval, one.unit)
     return f"{told} ({ends.removesuffix(' %') if points else ends})"

@@ -13,6 +13,7 @@ from campaigns.lanes import Lanes
 from planners.files.text import write_text
 from reports.drawing import Drawing, draw_all
 from reports.html.page import write_html
+from reports.html.pictures import pictured
 from reports.junit import campaign_junit
 from reports.pdf import write_pdf
 from reports.pdf_plans import plan_sections
@@ -74,4 +75,5 @@ def _needed(report: Report, finished: Finished, forms: Collection[str]) -> list[
     if {"pdf", "png"} & set(forms):
         return report.drawings
     shown = set(plots(finished, report)) if "md" in forms else set()
-    return [one for one in report.drawings if one.stem in shown]
+    pages = set(pictured(report.data)) if "html" in forms else set()
+    return [one for one in report.drawings if one.stem in shown or one.svg in pages]

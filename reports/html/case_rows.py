@@ -3,42 +3,40 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
+from collections.abc import Mapping
 
 from campaigns.finished import Finished
 from campaigns.summary import ERROR, CaseResult
-from planners.outside import OutsidePlanner
-from planners.scenario import stem_of
 from reports.campaign_words import HEADLINE
+from reports.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
 from reports.fleet_words import vehicle_words
 from reports.json_result import Json
 from reports.names import spoken
 from reports.quantity import number, text
-from reports.trials_words import planned_setting
-from reports.words import speed_words
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 
 
 def case_rows(finished: Finished) -> list[Json]:
     """A row a case, in their order; each number with the words that are shown for it, null where there is none."""
-    return [_row(result, finished.outcomes.get(result.case.name)) for result in finished.results]
+    told = dimensions(finished.results, finished.outcomes)
+    pairs = zip(finished.results, told, strict=True)
+    return [_row(result, finished.outcomes.get(result.case.name), what) for result, what in pairs]
 
 
-def _row(result: CaseResult, outcome: Outcome | None) -> dict[str, Json]:
+def _row(result: CaseResult, outcome: Outcome | None, what: Mapping[str, str]) -> dict[str, Json]:
     case, found, worst = result.case, result.statistics, result.worst
-    vehicle, controller, speed = planned_setting(result)
     p95 = found.metrics.get(HEADLINE)
     score = worst.score if worst is not None and math.isfinite(worst.score) else None
     return {
         "number": result.number,
         "name": case.name,
-        "path": path_name(result),
-        "scenario": stem_of(case.scenario) if case.scenario else "",
-        "vehicle": vehicle_words(outcome) if outcome else vehicle,
-        "controller": controller,
+        "path": what[PATH],
+        "scenario": what[SCENARIO],
+        "vehicle": vehicle_words(outcome) if outcome else what[VEHICLE],
+        "controller": what[CONTROLLER],
         "speed": outcome.speed if outcome else case.speed if isinstance(case.speed, float) else None,
-        "speed_words": speed_words(outcome) if outcome else speed,
+        "speed_words": what[SPEED],
         "verdict": result.verdict,
         "passed": result.passed,
         "expect": case.expect,
@@ -65,11 +63,3 @@ def _margin(decisive: Margin | None, score: float | None) -> dict[str, Json]:
 
 def _signed(value: float) -> str:
     return "+" if value > 0.0 else ""
-
-
-def path_name(result: CaseResult) -> str:
-    """The planner, or the file of the path."""
-    planner = result.case.planner
-    if planner is None:
-        return Path(result.case.path).name
-    return planner.label if isinstance(planner, OutsidePlanner) else planner

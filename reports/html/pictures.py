@@ -12,6 +12,7 @@ from reports.json_result import Json
 
 _WIDTH = 800  # [px], about
 _COLOURS = 64
+_PAPER = (255, 255, 255)
 
 
 def embedded(told: Json, folder: Path, room: int) -> tuple[Json, int]:
@@ -19,8 +20,7 @@ def embedded(told: Json, folder: Path, room: int) -> tuple[Json, int]:
 
     Wherever there is a "file", there is a "source" beside it then: "" for a picture without a file or without room.
     """
-    named: dict[str, str] = {}
-    _with_sources(told, lambda file: named.setdefault(file, ""))
+    named = dict.fromkeys(pictured(told), "")
     with ThreadPoolExecutor() as pool:
         sources = pool.map(_source, [(folder / file).with_suffix(".png") for file in named])
         for file, source in zip(named, sources, strict=True):
@@ -28,6 +28,13 @@ def embedded(told: Json, folder: Path, room: int) -> tuple[Json, int]:
                 named[file] = source
                 room -= len(source)
     return _with_sources(told, named.__getitem__), room
+
+
+def pictured(told: Json) -> list[str]:
+    """The files of the pictures in what is `told`, in their order, each once."""
+    named: dict[str, str] = {}
+    _with_sources(told, lambda file: named.setdefault(file, ""))
+    return [*named]
 
 
 def _with_sources(told: Json, source: Callable[[str], str]) -> Json:
@@ -55,6 +62,11 @@ def _source(file: Path) -> str:
         picture = whole.convert("RGB")
     picture = picture.reduce(max(1, round(picture.width / _WIDTH)))
     few = picture.quantize(_COLOURS, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    palette = few.getpalette() or []
+    corner = few.getpixel((0, 0))
+    if picture.getpixel((0, 0)) == _PAPER and isinstance(corner, int | float):  # the octree mixes it with what is pale
+        at = 3 * int(corner)
+        few.putpalette([*palette[:at], *_PAPER, *palette[at + 3 :]])
     content = io.BytesIO()
     few.save(content, "PNG")
     return f"data:image/png;base64,{base64.b64encode(content.getvalue()).decode()}"

@@ -13,6 +13,7 @@ from planners.planner import History, Stage
 from planners.scenario import load_scenario
 from reports.colony_figure import colony_figure
 from reports.comparison_figure import comparison_figure
+from reports.convergence_figure import convergence_figure
 from reports.fleet_figure import fleet_figure
 from reports.fleet_plan_figure import fleet_plan_figure
 from reports.plan_figure import plan_figure
@@ -23,12 +24,15 @@ from reports.segmentation_figure import segmentation_figure
 from reports.style import style
 from reports.track_figure import track_figure
 from reports.trials_figure import trials_figure
+from reports.versus_figure import versus_figure
 from sample_maps import box, scenario
 from sample_plans import lost_plan, made_up_plan
 
 from .conftest import cut, make_fleet, make_route, make_yard
 from .many_cases import result_like
+from .test_fleet_plans import search
 from .test_segmentation import made_up
+from .test_versus import only_family, results
 
 LONG = "a-name-of-a-hundred-characters-without-a-space-" * 3
 
@@ -108,6 +112,13 @@ def test_routes_and_sectors():
     with style():
         assert faults(routes_figure(wall, rows)) == []
         assert faults(sector_figure(wall, printed)) == []
+
+
+def test_cases_side_by_side_and_searches_over_seeds():
+    facts = [search((None, 172e3 + 100.0 * k, 171e3 + 100.0 * k), (100, 200, 30_000)) for k in range(5)]
+    with style():
+        assert faults(versus_figure(only_family(results()))) == []
+        assert faults(convergence_figure({"vdp-pio": facts, "vdp": facts}, 170.9e3)) == []
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(40, 60), (20, 120), (120, 20)])

@@ -76,6 +76,13 @@ def test_one_trial_has_no_interval_and_the_note_says_so():
     assert "One trial each: what chance does is not known." in table["note"]
 
 
+def test_trials_without_chance_have_no_interval():
+    a, b = (made_result({"cross_track_p95": [error] * 20}, controller=f"c{error}") for error in (1.0, 2.0))
+    row = versus_table(only_family([a, b]))["blocks"][0]["rows"][1]
+    assert row["share"] == "20 of 20, all alike"
+    assert (row["cells"][1]["change"], row["cells"][1]["outcome"]) == ("+1 m", "worse")
+
+
 def test_shares_change_by_points():
     group = versus_groups(
         [*results(2, ["9"], ["a"], worthy=[True, True]), *results(2, ["9"], ["b"], worthy=[True, False])], {}

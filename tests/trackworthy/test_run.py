@@ -62,7 +62,7 @@ def test_quickstart_is_as_expected_and_writes_its_report(tmp_path, capfd):
     out = capfd.readouterr().out
     assert "4 of 4 cases as expected" in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
-    assert len(list((tmp_path / "out" / "figures").glob("*.png"))) == 4
+    assert len(list((tmp_path / "out" / "figures").glob("[1-4]-*.png"))) == 4
     verdicts = [
         case["trackworthy"] == 1 for case in json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]
     ]

@@ -17,10 +17,18 @@ function violationsTable(one) {
     left > 0 && make("p", { class: "muted small" }, `and ${left} more`)];
 }
 
+/** Cases that differ in one thing, side by side: value and spread, below it the difference to the best. */
 function versusTable(told) {
-  return [told.title && make("h3", {}, told.title),
-    told.head && table(told.head.map((words, i) => [words, i > 0 ? "number" : ""]), told.rows),
-    told.note && make("p", { class: "muted small" }, told.note), pictures([...(told.figures || []), ...(told.file ? [told] : [])])];
+  return [make("h4", {}, told.title, " ", make("span", { class: "muted small" }, told.about)),
+    told.blocks.map((part) => table([[part.name], ["trackworthy", "number"], ...part.metrics.map((words) => [words, "number"])],
+      part.rows.map((row) => [[caseLink(row.case, row.name), row.reference && make("div", { class: "muted small" }, row.reference)], row.share, ...row.cells.map(versusCell)]))),
+    told.note && make("p", { class: "muted small" }, told.note), pictures(told.figures)];
+}
+
+function versusCell(cell) {
+  const style = { better: "good", worse: "bad" }[cell.outcome] || "muted";
+  return [make("b", {}, cell.value), cell.spread && make("div", { class: "muted" }, cell.spread),
+    (cell.change || cell.outcome) && make("div", { class: style }, [cell.change, cell.outcome].filter(Boolean).join(" "))];
 }
 
 /** Figures, to be opened; those that found no room are counted. */

@@ -1,5 +1,6 @@
 """The page in a real browser: Debian's chromium, driven by its chromedriver."""
 
+import dataclasses
 import shutil
 import time
 
@@ -187,3 +188,25 @@ def test_rows_are_filtered_and_sorted(page, finished):
     assert page.find_element(By.ID, "case-name").text == finished.results[2].case.name
     page.find_element(By.ID, "back").click()
     wait(page, lambda b: b.find_element(By.ID, "case-rows").is_displayed())
+
+
+def test_a_fleet_shares_a_clock(browser, finished, data, apart_fleet, tmp_path):
+    name = finished.results[0].case.name
+    flown = dataclasses.replace(finished, outcomes={**finished.outcomes, name: apart_fleet}, folder=tmp_path)
+    write_html(flown, data, tmp_path / "report.html")
+    browser.get((tmp_path / "report.html").as_uri())
+    opened(browser, 1)
+    assert len(Select(browser.find_element(By.ID, "vehicle")).options) == 3
+    states = (
+        "return shownCase.player.vehicles.map((one) => stateAt(one, arguments[0]))"
+        ".map((state) => [state.x, state.waiting])"
+    )
+    late = max(apart_fleet.fleet.departures)
+    waiting = [departure > late / 2 for departure in apart_fleet.fleet.departures]
+    assert any(waiting)
+    told = browser.execute_script(states, late / 2)
+    assert [one[1] for one in told] == waiting
+    for (x, waits), member in zip(told, apart_fleet.fleet.members, strict=True):
+        if waits:
+            assert x == pytest.approx(member.track["x"][0], abs=1e-2)
+    assert browser.get_log("browser") == []

@@ -1,6 +1,7 @@
 import base64
 import dataclasses
 import gzip
+import io
 import json
 import re
 
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PIL import Image
 
 from planners.errors import InputError
 from planners.map import Circle, Map, Raster
@@ -177,10 +179,6 @@ def test_a_map_as_rings():
 
 
 def test_cells_are_a_picture_north_up():
-    import io
-
-    from PIL import Image
-
     told = map_data(Map(raster=Raster(np.array([[True, False, False], [False, False, False]]), 2.0, 5.0, 6.0)))
     raster = told["raster"]
     assert (raster["x"], raster["y"], raster["width"], raster["height"]) == (5.0, 6.0, 6.0, 4.0)
@@ -202,8 +200,16 @@ def test_maps_and_paths_are_told_once(route, yard):
     assert [world.path(one.path, one.corridor) for one in (route, yard, route)] == [0, 1, 0]
 
 
+def test_paper_stays_white(tmp_path):
+    noise = np.random.default_rng(1).integers(200, 256, (200, 300, 3), dtype=np.uint8)
+    noise[:40] = 255
+    Image.fromarray(noise).save(tmp_path / "a.png")
+    source = embedded({"file": "a.svg"}, tmp_path, 10**6)[0]["source"]
+    picture = Image.open(io.BytesIO(base64.b64decode(source.partition(",")[2]))).convert("RGB")
+    assert picture.getpixel((5, 5)) == (255, 255, 255)
+
+
 def test_pictures_within_their_room(tmp_path):
-    from PIL import Image
 
     Image.new("RGB", (1600, 400), "#0072b2").save(tmp_path / "a.1.png")
     Image.new("RGB", (1600, 400), "#d55e00").save(tmp_path / "b.png")
