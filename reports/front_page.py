@@ -17,6 +17,7 @@ from reports.json_result import Json
 from reports.plain_words import plain
 from reports.quantity import counted, number
 from reports.search_words import search_line
+from reports.words import planet_words
 from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 
@@ -172,6 +173,7 @@ def _tested(
         speeds.setdefault(row[VEHICLE], []).append(row[SPEED])
     vehicles = [f"{vehicle} at {_listed(values)}" for vehicle, values in speeds.items()]
     controllers = list(dict.fromkeys(row[CONTROLLER] for row in told))
+    away = [f"{outcome.vehicle} {word}" for outcome in outcomes.values() for word in planet_words(outcome)]
     rows = [
         ("planners" if len(planners) > 1 else "planner", _listed(planners)),
         ("paths" if len(files) > 1 else "path", _listed(files)),
@@ -179,6 +181,7 @@ def _tested(
         ("vehicles" if len(vehicles) > 1 else "vehicle", _listed(vehicles, "; ")),
         ("controllers" if len(controllers) > 1 else "controller", _listed(controllers)),
         ("conditions", _listed(conditions, "; ")),
+        ("planet", _listed(away)),
         ("trials", _trials(results)),
         ("searches", _searches(searches)),
     ]  # fmt: skip

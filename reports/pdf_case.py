@@ -11,7 +11,7 @@ from reports.json_result import Json
 from reports.names import listed
 from reports.quantity import text
 from reports.rows import REQUIREMENTS, Row, rows, unmeasured
-from reports.words import conditions, reason, setting
+from reports.words import conditions, planet_words, reason, setting
 from tracking.metric import Metric
 from tracking.outcome import Fleet, Outcome
 from tracking.verdict import NOT_TRACKWORTHY
@@ -33,7 +33,7 @@ def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) ->
         "corridor": text(outcome.corridor, "m"),
         "path": _paths(outcome),
         "seed": outcome.seed,
-        "setting": setting(outcome),
+        "setting": " · ".join([setting(outcome), *planet_words(outcome)]),
         "trackworthy": verdict.trackworthy,
         "passed": verdict.passed,
         "expected": verdict.expect != NOT_TRACKWORTHY,

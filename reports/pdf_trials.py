@@ -10,6 +10,7 @@ from reports.names import listed
 from reports.quantity import text
 from reports.trials_data import kept
 from reports.trials_words import case_setting, headline_words, verdict_reason, worst_name
+from reports.words import planet_words
 from tracking.metric import Requirement
 from tracking.outcome import Outcome
 
@@ -22,7 +23,7 @@ def trials_data(result: CaseResult, outcome: Outcome, figure: str) -> dict[str, 
     return {
         "verdict": result.verdict,
         "passed": result.passed,
-        "setting": case_setting(result, outcome),
+        "setting": " · ".join([case_setting(result, outcome), *planet_words(outcome)]),
         "reason": verdict_reason(result),
         "interval": result.verdict != ERROR and not all_alike(result),
         "headline": headline_words(result),

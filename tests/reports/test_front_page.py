@@ -10,6 +10,7 @@ from reports.front_page import case_words, front_data
 from reports.pdf import write_pdf
 from reports.report_data import Report, report_of
 from sample_results import result_of, unplanned
+from sim.planet import planet_of
 
 
 def named(outcome, name):
@@ -81,6 +82,12 @@ def test_what_was_tested(route, yard):
     assert told["vehicle"].startswith(f"{yard.vehicle} at ")
     assert told["trials"] == "2 cases of 1 to 4 trials each"
     assert told["conditions"] == "no wind"
+
+
+def test_a_planet_that_is_not_earth_is_named(route):
+    away = dataclasses.replace(route, limits=dataclasses.replace(route.limits, gravity=planet_of("mars").gravity))
+    assert dict(front((result_of(away, trials=1), away))["tested"])["planet"] == f"{route.vehicle} on Mars"
+    assert "planet" not in dict(front((result_of(route, trials=1), route))["tested"])
 
 
 NAMES = ["x" * 120, '#panic() $x$ *b* [a] @ref <label> <script>alert(1)</script> "', "a/b_c-d=e " * 12]
