@@ -11,14 +11,14 @@ from campaigns.finished import Finished
 from campaigns.gate import Check, check
 from campaigns.lanes import Lanes
 from planners.files.text import write_text
-from reports.drawing import Drawing, draw_all
+from reports.figures.drawing import Drawing, draw_all
+from reports.files.junit import campaign_junit
+from reports.files.summary_markdown import markdown, plots
 from reports.html.page import write_html
 from reports.html.pictures import pictured
-from reports.junit import campaign_junit
-from reports.pdf import write_pdf
-from reports.pdf_plans import plan_sections
-from reports.report_data import Report, report_of
-from reports.summary_markdown import markdown, plots
+from reports.pages.pdf import write_pdf
+from reports.pages.pdf_plans import plan_sections
+from reports.pages.report_data import Report, report_of
 
 # What each form is written to, within the results folder
 FILES = {

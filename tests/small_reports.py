@@ -1,12 +1,12 @@
 """Reports and figures made within the test's own process."""
 
 from campaigns.lanes import Lanes
-from reports.drawing import draw_all
-from reports.pdf import write_pdf
-from reports.pdf_plans import plan_sections, planned
-from reports.plan_pictures import plan_drawings
-from reports.report_data import report_of
-from reports.style import save, style
+from reports.figures.drawing import draw_all
+from reports.figures.plan_pictures import plan_drawings
+from reports.figures.style import save, style
+from reports.pages.pdf import write_pdf
+from reports.pages.pdf_plans import plan_sections, planned
+from reports.pages.report_data import report_of
 from small_campaigns import Here
 
 HERE = Lanes(Here(), 1)

@@ -30,7 +30,7 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.baseline import check_replaceable, read_baseline, read_record, write_baseline
     from campaigns.gate import check
     from planners.errors import InputError, TrackworthyError
-    from reports.quantity import counted
+    from reports.words.quantity import counted
     from trackworthy.streams import tell
 
     file = Path(args.baseline)
@@ -52,15 +52,15 @@ def main(args: argparse.Namespace) -> int:
 
 def _show(found: Check, form: str) -> None:
     if form == "table":
-        from reports.check_text import print_check
+        from reports.terminal.check_text import print_check
 
         print_check(found)
     elif form == "json":
-        from reports.check_json import check_json
+        from reports.files.check_json import check_json
 
         print(check_json(found))
     elif form == "junit":
-        from reports.junit import check_junit
+        from reports.files.junit import check_junit
 
         print(check_junit(found), end="")
     else:
@@ -71,7 +71,7 @@ def _show_github(found: Check) -> None:
     """Annotations on standard output, the summary where GitHub says, or after them."""
     import os
 
-    from reports.github import markdown, workflow_commands
+    from reports.files.github import markdown, workflow_commands
 
     print(workflow_commands(found), end="")
     summary = os.environ.get("GITHUB_STEP_SUMMARY")

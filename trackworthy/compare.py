@@ -38,15 +38,15 @@ def main(args: argparse.Namespace) -> int:
     if first.resolve() == second.resolve():
         tell([f"{args.a} and {args.b} are the same folder"])
     if args.format == "table":
-        from reports.compare_text import print_side_by_side
+        from reports.terminal.compare_text import print_side_by_side
 
         print_side_by_side(found)
     elif args.format == "json":
-        from reports.compare_json import side_by_side_json
+        from reports.files.compare_json import side_by_side_json
 
         print(side_by_side_json(found))
     else:
-        from reports.compare_markdown import side_by_side_markdown
+        from reports.files.compare_markdown import side_by_side_markdown
 
         print(side_by_side_markdown(found), end="")
     return 0

@@ -66,16 +66,16 @@ def main(args: argparse.Namespace) -> int:
         files.write(path, file)
     if args.picture:
         from planners.astar.settings import planned_speed
-        from reports.plan_figure import save_plan_figure
+        from reports.figures.plan_figure import save_plan_figure
 
         speed = planned_speed(planner)
         save_plan_figure(scenario, {planner.name: plan}, args.picture, planner.clearance, speed)
     if args.json:
-        from reports.plan_json import plan_json
+        from reports.files.plan_json import plan_json
 
         print(plan_json(facts, plan))
     else:
-        from reports.plan_table import print_facts
+        from reports.terminal.plan_table import print_facts
 
         print_facts(facts)
     tell(f"saved {file}" for file in (*paths, *filter(None, [args.picture])))

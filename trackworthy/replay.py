@@ -19,9 +19,9 @@ def replay_trial(campaign: Campaign, cases: Sequence[ReadyCase], trial: int, fol
     from campaigns.execute import planned
     from campaigns.runner import keep_track, tasks_of
     from planners.errors import InputError
-    from reports.fleet_figure import save_fleet_figure
-    from reports.table import print_outcome
-    from reports.track_figure import save_track_figure
+    from reports.figures.fleet_figure import save_fleet_figure
+    from reports.figures.track_figure import save_track_figure
+    from reports.terminal.table import print_outcome
     from trackworthy.streams import chatter_to_stderr, tell
 
     if len(cases) != 1:

@@ -47,8 +47,8 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.ready import make_ready
     from campaigns.search_ready import make_searches_ready
     from planners.errors import InputError
-    from reports.progress import watched
-    from reports.slug import slug
+    from reports.terminal.progress import watched
+    from reports.words.slug import slug
     from reports.write import write_report
     from trackworthy.streams import tell
 
@@ -81,7 +81,7 @@ def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: 
     """What is to be done besides the trials, whose progress is shown."""
     from collections import Counter
 
-    from reports.quantity import counted
+    from reports.words.quantity import counted
 
     paths = {plan.key for ready in cases for plan in ready.plans if fresh or not plan.done(folder)}
     said = [f"making {counted(len(paths), 'plan')}"] if paths else []
@@ -92,7 +92,7 @@ def _ahead(cases: Sequence[ReadyCase], searches: Sequence[ReadySearch], folder: 
 def _show(campaign: Campaign, cases: tuple[ReadyCase, ...]) -> int:
     """Every case with its number of trials, and every search."""
     from planners.outside import OutsidePlanner
-    from reports.quantity import counted
+    from reports.words.quantity import counted
 
     names = [*(ready.case.name for ready in cases), *(search.name for search in campaign.searches)]
     width = max(map(len, names))
@@ -124,8 +124,8 @@ def _answer(finished: Finished, folder: Path) -> int:
     """A line a case and a search, and the exit code."""
     from campaigns.attempt import INPUT
     from planners.errors import InputError, TrackworthyError
-    from reports.campaign_words import case_line
-    from reports.search_words import search_line
+    from reports.words.campaign_words import case_line
+    from reports.words.search_words import search_line
 
     results, searches = finished.results, finished.searches
     for result in results:

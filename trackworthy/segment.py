@@ -58,8 +58,8 @@ def main(args: argparse.Namespace) -> int:
     from planners.segmentation.aerial import read_aerial
     from planners.segmentation.facts import facts_of
     from planners.segmentation.segment import segment
-    from reports.segmentation_figure import save_segmentation_figure
-    from reports.segmentation_table import print_segmentation, segmentation_json
+    from reports.figures.segmentation_figure import save_segmentation_figure
+    from reports.terminal.segmentation_table import print_segmentation, segmentation_json
     from trackworthy.streams import tell
 
     source = _source(args)

@@ -55,10 +55,10 @@ def main(args: argparse.Namespace) -> int:
     """Track, show, save, and answer with the exit code."""
     from campaigns.inputs import Reader
     from campaigns.prepare import assemble
-    from reports.export import check, export
-    from reports.fleet_figure import save_fleet_figure
-    from reports.table import print_outcome
-    from reports.track_figure import save_track_figure
+    from reports.figures.fleet_figure import save_fleet_figure
+    from reports.figures.track_figure import save_track_figure
+    from reports.files.export import check, export
+    from reports.terminal.table import print_outcome
     from tracking.trial import run_trial
     from trackworthy.streams import chatter_to_stderr, check_picture, numbered, protect, tell
 
@@ -83,7 +83,7 @@ def main(args: argparse.Namespace) -> int:
     if args.json:
         import json
 
-        from reports.json_result import to_json
+        from reports.files.json_result import to_json
 
         print(json.dumps(to_json(outcome), indent=2))
     else:

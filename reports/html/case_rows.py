@@ -7,12 +7,12 @@ from collections.abc import Mapping
 
 from campaigns.finished import Finished
 from campaigns.summary import ERROR, CaseResult
-from reports.campaign_words import HEADLINE
-from reports.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
-from reports.fleet_words import vehicle_words
-from reports.json_result import Json
-from reports.names import spoken
-from reports.quantity import number, text
+from reports.files.json_result import Json
+from reports.words.campaign_words import HEADLINE
+from reports.words.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
+from reports.words.fleet_words import vehicle_words
+from reports.words.names import spoken
+from reports.words.quantity import number, text
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 

@@ -7,8 +7,8 @@ import base64
 import numpy as np
 
 from planners.kernel import Floats, Ints
-from reports.decimate import envelope, polyline
-from reports.json_result import Json
+from reports.figures.decimate import envelope, polyline
+from reports.files.json_result import Json
 from tracking.track import Track
 
 _FINE = 20.0  # of the corridor: how far the line through the samples may leave the track

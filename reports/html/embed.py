@@ -10,7 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from planners.errors import TrackworthyError
-from reports.json_result import Json
+from reports.files.json_result import Json
 
 # A name may hold anything: nothing in it may end the element that it stands in, or begin another.
 _ESCAPED = "<>&\u2028\u2029"

@@ -6,13 +6,13 @@ from pathlib import Path
 
 from campaigns.finished import Finished
 from planners.atomic_file import atomic
+from reports.files.json_result import Json
 from reports.html.case_rows import case_rows
 from reports.html.embed import as_json, filled, nonce, plotly
 from reports.html.pictures import embedded
 from reports.html.runs import add_others, worst_runs
 from reports.html.spread import spread_data
 from reports.html.world import World
-from reports.json_result import Json
 
 LIMIT = 7_900_000  # bytes of the file, about: below 8 MB
 _WORST, _PICTURES = 0.45, 0.5  # shares of what is left: of the worst runs, and then of the pictures

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from reports.json_result import Json
+from reports.files.json_result import Json
 
 _WIDTH = 800  # [px], about
 _COLOURS = 64

@@ -8,13 +8,13 @@ import numpy as np
 
 from campaigns.finished import Finished
 from campaigns.summary import CaseResult
-from reports.extent import whole, whole_fleet
-from reports.focus import focus
+from reports.figures.extent import whole, whole_fleet
+from reports.figures.focus import focus
+from reports.files.json_result import Json
 from reports.html.kept import Kept, kept_trials, members_of, replayed
 from reports.html.vehicle import body_data, vehicle_data
 from reports.html.world import World
-from reports.json_result import Json
-from reports.words import wind_words
+from reports.words.words import wind_words
 from tracking.outcome import Outcome
 
 _MOST, _LEAST = 600, 60  # samples of a vehicle's worst run

@@ -7,10 +7,10 @@ import numpy as np
 from campaigns.statistics import Band
 from campaigns.summary import CaseResult
 from planners.kernel import Floats
-from reports.campaign_words import HEADLINE
-from reports.json_result import Json
-from reports.names import listed
-from reports.quantity import shown
+from reports.files.json_result import Json
+from reports.words.campaign_words import HEADLINE
+from reports.words.names import listed
+from reports.words.quantity import shown
 from tracking.outcome import Outcome
 
 _DIGITS = 5

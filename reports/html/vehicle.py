@@ -9,9 +9,9 @@ import numpy as np
 from planners.footprint import Disc, Footprint
 from planners.kernel import Floats, Ints
 from planners.units import STANDARD_GRAVITY
+from reports.figures.panels import Panel, panels
+from reports.files.json_result import Json
 from reports.html.columns import Pool, samples
-from reports.json_result import Json
-from reports.panels import Panel, panels
 from tracking.outcome import Outcome
 
 _WIDE = ("t", "x", "y", "s")  # columns that need more than two bytes

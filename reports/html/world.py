@@ -12,8 +12,8 @@ from shapely.geometry.base import BaseGeometry
 from planners.kernel import Floats
 from planners.map import Circle, Map, Raster
 from planners.path import Path
-from reports.decimate import polyline
-from reports.json_result import Json
+from reports.figures.decimate import polyline
+from reports.files.json_result import Json
 
 _ROUND = 16  # segments in a quarter of a circle
 _POINTS = 400  # of a path or a ring, about
@@ -91,7 +91,7 @@ def _raster(raster: Raster) -> Json:
     """A picture of its blocked cells, north up, and where its south-west corner and its sides are [m]."""
     from PIL import Image
 
-    from reports.style import OBSTACLE
+    from reports.figures.style import OBSTACLE
 
     rows, columns = raster.blocked.shape
     picture = Image.fromarray(np.flipud(raster.blocked).astype(np.uint8), "P")

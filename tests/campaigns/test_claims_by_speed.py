@@ -10,8 +10,8 @@ from campaigns.claims import Claim
 from planners.all_planners import ALL_PLANNERS
 from planners.errors import InputError
 from planners.units import STANDARD_GRAVITY
-from reports.plan_driven import driven
-from reports.plan_rows import labels, plan_row
+from reports.pages.plan_driven import driven
+from reports.pages.plan_rows import labels, plan_row
 from sample_planner import LATERAL, SCENARIO, SpeedArc
 from small_campaigns import InThisProcess, run_here, write_campaign
 

@@ -12,7 +12,7 @@ from campaigns.case import Case
 from campaigns.statistics import statistics
 from campaigns.store import Row
 from campaigns.summary import CaseResult
-from reports.scenario_cases import Run, ScenarioRuns, named
+from reports.figures.scenario_cases import Run, ScenarioRuns, named
 from tracking.outcome import Outcome
 from tracking.profile import PIECES
 

@@ -1,8 +1,8 @@
 import dataclasses
 
 from campaigns.manifest import Manifest
-from reports.appendix import appendix_data
-from reports.metric_definitions import METRIC_DEFINITIONS
+from reports.pages.appendix import appendix_data
+from reports.words.metric_definitions import METRIC_DEFINITIONS
 from sample_results import result_of
 
 MANIFEST = Manifest(

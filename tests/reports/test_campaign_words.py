@@ -8,8 +8,8 @@ from campaigns.case import Case
 from campaigns.statistics import statistics
 from campaigns.store import Row
 from campaigns.summary import CaseResult
-from reports.campaign_words import case_line, mark, share_words, spread_words
-from reports.words import reason, sentence
+from reports.words.campaign_words import case_line, mark, share_words, spread_words
+from reports.words.words import reason, sentence
 from tracking.profile import PIECES
 
 UNITS = {"cross_track_p95": ("m", "lower")}

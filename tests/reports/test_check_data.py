@@ -1,8 +1,8 @@
 from campaigns.comparison import Comparison
 from campaigns.gate import VERDICT, WORSE, Check, Finding
-from reports.check_data import check_data
-from reports.pdf import write_pdf
-from reports.report_data import Report, report_of
+from reports.pages.check_data import check_data
+from reports.pages.pdf import write_pdf
+from reports.pages.report_data import Report, report_of
 
 
 def compared(case, worse=0.17, **changes):

@@ -5,7 +5,7 @@ import pytest
 
 from campaigns.comparison import Comparison
 from campaigns.gate import ERRORS, WORSE, Check, Finding
-from reports.check_json import check_json
+from reports.files.check_json import check_json
 
 P95 = Comparison(
     case="road", metric="cross_track_p95", unit="m", old=0.1 + 0.2, new=1 / 3, worse=1e-300, limit=5e-324,

@@ -7,7 +7,7 @@ from rich.console import Console
 from campaigns.comparison import Comparison
 from campaigns.gate import APPEARED, ERRORS, VERDICT, WORSE, Check, Finding
 from campaigns.limits import DEFAULT_LIMITS
-from reports.check_text import conclusion, improved_words, print_check, told, with_unit
+from reports.terminal.check_text import conclusion, improved_words, print_check, told, with_unit
 
 P95 = Comparison(
     case="road", metric="cross_track_p95", unit="m", old=0.123456, new=0.234567, worse=0.111111, limit=0.0061728,

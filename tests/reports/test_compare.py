@@ -12,10 +12,10 @@ from campaigns.campaign import Campaign
 from campaigns.manifest import Manifest
 from campaigns.side_by_side import Side, side_by_side
 from planners.outside import OutsidePlanner
-from reports.compare_json import side_by_side_json
-from reports.compare_markdown import side_by_side_markdown
-from reports.compare_text import print_side_by_side
-from reports.compare_words import conclusion, heads
+from reports.files.compare_json import side_by_side_json
+from reports.files.compare_markdown import side_by_side_markdown
+from reports.terminal.compare_text import print_side_by_side
+from reports.words.compare_words import conclusion, heads
 from sample_results import made_result
 
 

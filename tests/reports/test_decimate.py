@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from reports.decimate import envelope, polyline
+from reports.figures.decimate import envelope, polyline
 
 
 def test_keeps_spikes_and_ends():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from planners.errors import InputError
-from reports.export import SUFFIXES, export
+from reports.files.export import SUFFIXES, export
 
 KML = "{http://www.opengis.net/kml/2.2}"
 

@@ -12,19 +12,19 @@ from PIL import Image
 from rich.console import Console
 
 from planners.errors import TrackworthyError
-from reports.fleet_figure import fleet_figure, save_fleet_figure
-from reports.fleet_map import closest_places, member_colours
-from reports.fleet_words import called, member_name
-from reports.focus import focus
-from reports.json_result import to_json
-from reports.pdf_case import case_data
-from reports.quantity import text
-from reports.rows import rows
-from reports.separation_panel import closest_pairs
-from reports.style import MEMBERS, style
-from reports.table import print_outcome
-from reports.track_figure import track_figure
-from reports.words import reason, setting
+from reports.figures.fleet_figure import fleet_figure, save_fleet_figure
+from reports.figures.fleet_map import closest_places, member_colours
+from reports.figures.focus import focus
+from reports.figures.separation_panel import closest_pairs
+from reports.figures.style import MEMBERS, style
+from reports.figures.track_figure import track_figure
+from reports.files.json_result import to_json
+from reports.pages.pdf_case import case_data
+from reports.terminal.table import print_outcome
+from reports.words.fleet_words import called, member_name
+from reports.words.quantity import text
+from reports.words.rows import rows
+from reports.words.words import reason, setting
 from small_reports import pdf_of
 from tracking.fleet import fleet_outcome
 

@@ -17,14 +17,14 @@ from planners.planner import NO_PATH, History, Plan, Stage
 from planners.scenario import load_scenario
 from planners.voronoi.roadmap import roadmap_of
 from planners.voronoi.vd import Vd
-from reports.convergence_figure import best_at, convergence_figure, spread
-from reports.fleet_plan_figure import fleet_plan_figure, pair_of
-from reports.plan_figure import save_plan_figure
-from reports.plan_json import plan_json
-from reports.plan_rows import is_fleet, limits, plan_row
-from reports.plan_table import rows
-from reports.roadmap_figure import has_roadmap, roadmap_figure
-from reports.style import MEMBERS, style
+from reports.figures.convergence_figure import best_at, convergence_figure, spread
+from reports.figures.fleet_plan_figure import fleet_plan_figure, pair_of
+from reports.figures.plan_figure import save_plan_figure
+from reports.figures.roadmap_figure import has_roadmap, roadmap_figure
+from reports.figures.style import MEMBERS, style
+from reports.files.plan_json import plan_json
+from reports.pages.plan_rows import is_fleet, limits, plan_row
+from reports.terminal.plan_table import rows
 from small_reports import pdf_of, save_figure, sections_of
 
 TOLD = PlanStatistics(
@@ -197,7 +197,7 @@ def test_the_same_plan_is_the_same_bytes(mars, searched, tmp_path):
 
 def test_a_section_of_fleets(mars, searched, fleet, tmp_path, monkeypatch):
     plans = {"vd": searched, "exact": Exact(clearance=250.0).plan(mars, np.random.default_rng(0))}
-    monkeypatch.setattr("reports.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
+    monkeypatch.setattr("reports.pages.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
     searches = tuple(search((180e3, 175e3), (100, last)) for last in (200, 300))
     told = [
         PlannedBy(Vd(), mars, 1, "case", TOLD, (CLAIM,), searches),

@@ -6,9 +6,9 @@ import pytest
 from campaigns.search import SpeedSearch
 from campaigns.search_steps import Found
 from campaigns.searches import SearchResult
-from reports.front_page import case_words, front_data
-from reports.pdf import write_pdf
-from reports.report_data import Report, report_of
+from reports.pages.front_page import case_words, front_data
+from reports.pages.pdf import write_pdf
+from reports.pages.report_data import Report, report_of
 from sample_results import result_of, unplanned
 from sim.planet import planet_of
 

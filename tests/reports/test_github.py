@@ -6,7 +6,7 @@ import pytest
 
 from campaigns.comparison import Comparison
 from campaigns.gate import ERRORS, VANISHED, VERDICT, WORSE, Check, Finding
-from reports.github import MOST_ANNOTATIONS, markdown, workflow_commands
+from reports.files.github import MOST_ANNOTATIONS, markdown, workflow_commands
 
 P95 = Comparison(
     case="road", metric="cross_track_p95", unit="m", old=0.1, new=0.2, worse=0.1, limit=0.005,

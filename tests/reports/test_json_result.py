@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from reports.json_result import to_json
-from reports.words import sentence
+from reports.files.json_result import to_json
+from reports.words.words import sentence
 from tracking.feasibility import Feasibility, Turn
 from tracking.verdict import Verdict
 

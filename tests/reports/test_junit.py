@@ -5,7 +5,7 @@ import pytest
 
 from campaigns.comparison import Comparison
 from campaigns.gate import APPEARED, ERRORS, UNMEASURED, VERDICT, WORSE, Check, Finding
-from reports.junit import check_junit
+from reports.files.junit import check_junit
 
 P95 = Comparison(
     case="road", metric="cross_track_p95", unit="m", old=0.1, new=0.2, worse=0.1, limit=0.005,

@@ -1,9 +1,9 @@
 import dataclasses
 
-from reports.deciding import deciding
-from reports.dimensions import dimensions
-from reports.matrix import matrix_data
-from reports.shades import shade
+from reports.pages.matrix import matrix_data
+from reports.pages.shades import shade
+from reports.words.deciding import deciding
+from reports.words.dimensions import dimensions
 from sample_results import result_of, unplanned
 from tracking.metric import Metric, Requirement
 from tracking.verdict import EITHER, judge

@@ -1,6 +1,6 @@
 import pytest
 
-from reports.names import listed, spoken
+from reports.words.names import listed, spoken
 
 
 @pytest.mark.parametrize(

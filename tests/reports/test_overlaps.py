@@ -11,20 +11,20 @@ from overlaps import faults
 from planners.all_planners import make_planner, plan_with
 from planners.planner import History, Stage
 from planners.scenario import load_scenario
-from reports.colony_figure import colony_figure
-from reports.comparison_figure import comparison_figure
-from reports.convergence_figure import convergence_figure
-from reports.fleet_figure import fleet_figure
-from reports.fleet_plan_figure import fleet_plan_figure
-from reports.plan_figure import plan_figure
-from reports.roadmap_figure import roadmap_figure
-from reports.routes_figure import Route, routes_figure
-from reports.sector_figure import sector_figure
-from reports.segmentation_figure import segmentation_figure
-from reports.style import style
-from reports.track_figure import track_figure
-from reports.trials_figure import trials_figure
-from reports.versus_figure import versus_figure
+from reports.figures.colony_figure import colony_figure
+from reports.figures.comparison_figure import comparison_figure
+from reports.figures.convergence_figure import convergence_figure
+from reports.figures.fleet_figure import fleet_figure
+from reports.figures.fleet_plan_figure import fleet_plan_figure
+from reports.figures.plan_figure import plan_figure
+from reports.figures.roadmap_figure import roadmap_figure
+from reports.figures.routes_figure import Route, routes_figure
+from reports.figures.sector_figure import sector_figure
+from reports.figures.segmentation_figure import segmentation_figure
+from reports.figures.style import style
+from reports.figures.track_figure import track_figure
+from reports.figures.trials_figure import trials_figure
+from reports.figures.versus_figure import versus_figure
 from sample_maps import box, scenario
 from sample_plans import lost_plan, made_up_plan
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from planners.errors import InputError
-from reports.case_drawings import track_drawing
-from reports.pdf import _without_head
-from reports.pdf_case import case_data
-from reports.track_figure import save_track_figure
+from reports.figures.case_drawings import track_drawing
+from reports.figures.track_figure import save_track_figure
+from reports.pages.pdf import _without_head
+from reports.pages.pdf_case import case_data
 from small_reports import drawn, pdf_of
 from tracking.feasibility import Feasibility
 from tracking.verdict import Verdict

@@ -18,8 +18,8 @@ from planners.aco.improved import AcoImproved
 from planners.exact import Exact
 from planners.planner import NOT_FOUND
 from planners.scenario import load_scenario
-from reports.plan_pictures import chosen_iterations
-from reports.plan_rows import changed, labels, plan_row, yardsticks
+from reports.figures.plan_pictures import chosen_iterations
+from reports.pages.plan_rows import changed, labels, plan_row, yardsticks
 from sample_plans import lost_plan, made_up_history, made_up_plan
 from small_reports import drawn, pdf_of, sections_of
 
@@ -118,7 +118,7 @@ def sections(nofly, monkeypatch):
 
     def made(found, note="a note"):
         plans = {planner.name: plan for planner, plan, *_ in found}
-        monkeypatch.setattr("reports.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
+        monkeypatch.setattr("reports.pages.pdf_plans.plan_with", lambda planner, *_: plans[planner.name])
         told = [by(nofly, planner, statistics, planner.name, claims) for planner, _, statistics, claims in found]
         return sections_of(told, [_result(name) for name in plans], note)
 

@@ -6,7 +6,7 @@ import pytest
 from sample_verdicts import error, judged
 
 from planners.map import Map
-from reports.plain_words import plain
+from reports.words.plain_words import plain
 from sim.vehicle import STALL
 from tracking.feasibility import Slope, Turn
 from tracking.metric import Metric

@@ -11,12 +11,12 @@ from planners.map import Map, Raster
 from planners.path import Path
 from planners.planner import NO_PATH, Plan
 from planners.scenario import Scenario, load_scenario
-from reports.colony_figure import colony_figure, shown_iterations
-from reports.comparison_figure import comparison_figure
-from reports.needed_panel import stretches_beyond, worst_place
-from reports.plan_figure import plan_figure, save_plan_figure
-from reports.plan_turn import sharpest
-from reports.style import style
+from reports.figures.colony_figure import colony_figure, shown_iterations
+from reports.figures.comparison_figure import comparison_figure
+from reports.figures.needed_panel import stretches_beyond, worst_place
+from reports.figures.plan_figure import plan_figure, save_plan_figure
+from reports.figures.plan_turn import sharpest
+from reports.figures.style import style
 from sample_plans import CORNERS, UNIT, lost_plan, made_up_history, made_up_plan
 from small_reports import save_figure
 

@@ -6,7 +6,7 @@ from rich.console import Console
 
 from campaigns.attempt import Attempt
 from campaigns.runner import Task
-from reports import progress
+from reports.terminal import progress
 
 GOOD, BAD, FAILED = Attempt(1, passed=True), Attempt(1), Attempt(1, error="it stopped", kind="machinery")
 

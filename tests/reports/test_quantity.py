@@ -3,7 +3,7 @@ import math
 import pytest
 
 from planners.units import degrees
-from reports.quantity import number, pair, span, text, text_with_g
+from reports.words.quantity import number, pair, span, text, text_with_g
 
 
 @pytest.mark.parametrize(

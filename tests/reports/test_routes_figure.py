@@ -4,11 +4,11 @@ import pytest
 from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner, plan_with
-from reports.plan_figure import plan_figure
-from reports.plan_turn import came
-from reports.quantity import text
-from reports.routes_figure import COLUMNS, ROWS, Route, routes_figure
-from reports.style import VERMILION, style
+from reports.figures.plan_figure import plan_figure
+from reports.figures.plan_turn import came
+from reports.figures.routes_figure import COLUMNS, ROWS, Route, routes_figure
+from reports.figures.style import VERMILION, style
+from reports.words.quantity import text
 from sample_maps import box, scenario
 from small_reports import drawings_of, save_figure, sections_of
 
@@ -81,7 +81,7 @@ def test_a_campaign_has_one_picture_of_its_routes():
 
 
 def test_what_plans_need_is_explained_where_they_are_driven(monkeypatch):
-    monkeypatch.setattr("reports.pdf_plans.plan_drawings", lambda *given: [])
+    monkeypatch.setattr("reports.pages.pdf_plans.plan_drawings", lambda *given: [])
     told = (
         "Needs: lateral acceleration, red over 0.6 g; of what is claimed, that of an arc which turns so far in 0.5 s."
     )

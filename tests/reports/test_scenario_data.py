@@ -1,7 +1,7 @@
 import dataclasses
 
-from reports.scenario_cases import scenario_runs
-from reports.scenario_data import scenarios_data
+from reports.figures.scenario_cases import scenario_runs
+from reports.pages.scenario_data import scenarios_data
 from sample_results import result_of, unplanned
 
 

@@ -10,15 +10,15 @@ from shapely import LineString
 
 from campaigns.statistics import Band
 from planners.path import Path
-from reports.distribution_figure import MOST_ROWS, distribution_figure
-from reports.errors_figure import MOST_PANELS, errors_figure
-from reports.fitted import shortened
-from reports.scenario_cases import ScenarioRuns, named, within_group
-from reports.scenario_figure import scenario_figure
-from reports.scenario_head import scenario_head_height
-from reports.scenario_map import band_lines
-from reports.scenario_pictures import errors_caption, map_caption, scenario_figures, trials_caption
-from reports.style import save, style
+from reports.figures.distribution_figure import MOST_ROWS, distribution_figure
+from reports.figures.errors_figure import MOST_PANELS, errors_figure
+from reports.figures.fitted import shortened
+from reports.figures.scenario_cases import ScenarioRuns, named, within_group
+from reports.figures.scenario_figure import scenario_figure
+from reports.figures.scenario_head import scenario_head_height
+from reports.figures.scenario_map import band_lines
+from reports.figures.scenario_pictures import errors_caption, map_caption, scenario_figures, trials_caption
+from reports.figures.style import save, style
 
 from .conftest import make_fleet, make_route, make_yard
 from .many_cases import result_like, runs_of, unflown

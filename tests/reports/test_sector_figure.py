@@ -7,8 +7,8 @@ from campaigns.claims import Beside, Claim
 from campaigns.plan_statistics import PlannedBy, PlanStatistics
 from planners.all_planners import make_planner
 from planners.astar.arc_printed import children, descent_of
-from reports.sector_figure import most_cut, sector_figure
-from reports.style import style
+from reports.figures.sector_figure import most_cut, sector_figure
+from reports.figures.style import style
 from sample_maps import WALLED, box, scenario
 from small_reports import drawings_of, drawn, save_figure
 

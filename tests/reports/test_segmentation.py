@@ -10,9 +10,9 @@ from planners.segmentation.aerial import Aerial
 from planners.segmentation.facts import facts_of
 from planners.segmentation.segment import Segmented
 from planners.segmentation.settings import Segmentation
-from reports.segmentation_figure import save_segmentation_figure, segmentation_figure
-from reports.segmentation_table import print_segmentation, segmentation_json
-from reports.style import style
+from reports.figures.segmentation_figure import save_segmentation_figure, segmentation_figure
+from reports.figures.style import style
+from reports.terminal.segmentation_table import print_segmentation, segmentation_json
 
 
 def made_up(rows=40, columns=60, cell=2.0, known=True):

@@ -4,8 +4,8 @@ import io
 import pytest
 from rich.console import Console
 
-from reports.table import print_outcome
-from reports.words import sentence
+from reports.terminal.table import print_outcome
+from reports.words.words import sentence
 from tracking.feasibility import Feasibility, Turn
 
 

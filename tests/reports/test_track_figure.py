@@ -8,12 +8,12 @@ from PIL import Image
 
 from planners.map import Map, Raster
 from planners.path import Path
-from reports.focus import focus
-from reports.header import head_of, header_height
-from reports.needed_line import draw_needed
-from reports.quantity import text as quantity
-from reports.style import style
-from reports.track_figure import save_track_figure, track_figure
+from reports.figures.focus import focus
+from reports.figures.header import head_of, header_height
+from reports.figures.needed_line import draw_needed
+from reports.figures.style import style
+from reports.figures.track_figure import save_track_figure, track_figure
+from reports.words.quantity import text as quantity
 from tracking.feasibility import Feasibility, Turn
 from tracking.verdict import Verdict
 

@@ -8,15 +8,15 @@ from PIL import Image
 
 from campaigns.conditions import ConditionKeys, WindKeys
 from campaigns.distribution import Distribution
-from reports.condition_words import condition_words
-from reports.names import listed
-from reports.pdf_rows import counts, summary_rows
-from reports.pdf_trials import trials_data
-from reports.style import save, style
-from reports.track_figure import track_figure
-from reports.trials_data import strips
-from reports.trials_figure import trials_figure
-from reports.trials_words import case_verdict_words, worst_name
+from reports.figures.style import save, style
+from reports.figures.track_figure import track_figure
+from reports.figures.trials_data import strips
+from reports.figures.trials_figure import trials_figure
+from reports.pages.pdf_rows import counts, summary_rows
+from reports.pages.pdf_trials import trials_data
+from reports.words.condition_words import condition_words
+from reports.words.names import listed
+from reports.words.trials_words import case_verdict_words, worst_name
 from sample_results import result_of
 from small_reports import pdf_of
 from tracking.profile import PIECES

@@ -10,11 +10,11 @@ from PIL import Image
 
 from campaigns.conditions import ConditionKeys
 from campaigns.versus import versus_groups
-from reports.style import save, style
-from reports.versus_figure import versus_figure
-from reports.versus_layout import MOST_ROWS, columns, pages
-from reports.versus_section import versus_section
-from reports.versus_words import change_text, families, share_text, versus_table
+from reports.figures.style import save, style
+from reports.figures.versus_figure import versus_figure
+from reports.figures.versus_layout import MOST_ROWS, columns, pages
+from reports.pages.versus_section import versus_section
+from reports.words.versus_words import change_text, families, share_text, versus_table
 from sample_results import made_result
 from small_reports import save_figure
 

@@ -3,7 +3,7 @@ import math
 
 from sample_verdicts import error, judged
 
-from reports.words import reason, sentence, setting
+from reports.words.words import reason, sentence, setting
 from tracking.feasibility import Slope, Turn
 from tracking.metric import Metric
 from tracking.verdict import Verdict

@@ -10,7 +10,7 @@ import pytest
 
 from campaigns.campaign import CAMPAIGNS_FOLDER
 from campaigns.lanes import Lanes
-from reports import table
+from reports.terminal import table
 from small_campaigns import Here
 from trackworthy.__main__ import main
 
