@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import shapely
 
 from planners.kernel import Floats, Ints
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+def bins_of(axes: Axes) -> int:
+    """As many spans of samples as `axes` are wide, two pixels each."""
+    return max(1, round(axes.bbox.width / 2))
 
 
 def envelope(x: Floats, y: Floats, bins: int) -> Ints:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from reports.figures.decimate import envelope
+from reports.figures.decimate import bins_of, envelope
 from reports.figures.effort_grid import draw_efforts, grid_height, side_by_side
 from reports.figures.fitted import fit, shortened
 from reports.figures.layout import LEFT, RIGHT, Box
@@ -29,7 +29,6 @@ MOST_PANELS = 6  # of the worst sources
 _FULL = WIDTH - LEFT - RIGHT
 _GAP, _TITLE, _LABELS, _BETWEEN, _ROW, _BOTTOM = 0.62, 0.26, 0.44, 0.48, 0.165, 0.06  # [in]
 _HIGH, _HIGHEST = 1.0, 1.6  # [in] of a panel of several, and of one alone
-_BINS = 350  # two pixels of a panel each
 _NEAR, _FAR = 0.4, 3.0  # corridors up to which the axis leaves the corridor out, and up to which it is linear
 _ROOM = 1.15  # how far the axis goes beyond what it holds
 _NAMED, _LEGEND_NAME = 60, 34  # characters
@@ -110,7 +109,7 @@ def _draw_errors(axes: Axes, name: str, own: Sequence[tuple[Run, Outcome]], look
     for run, outcome in reversed(own):
         look = looks[within_group(run, name)]
         s, error = outcome.track["s"], outcome.track["cross_track"]
-        kept = envelope(s, error, _BINS)
+        kept = envelope(s, error, bins_of(axes))
         axes.plot(s[kept], error[kept], linewidth=1.1, zorder=2.4 if look is OTHERS else 3.0, **look)
         band = run.result.statistics.band
         if band is not None and look is not OTHERS:

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from planners.errors import TrackworthyError
-from reports.figures.decimate import envelope
+from reports.figures.decimate import bins_of, envelope
 from reports.figures.extent import whole_fleet
 from reports.figures.fleet_layout import FleetLayout, fleet_layout, fleet_page_layout
 from reports.figures.fleet_map import draw_fleet, fleet_entries, member_colours
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _MOST_ERRORS = 4  # aircraft whose errors are shown: those with the largest
-_BINS = 700
 _HEADROOM = 1.25
 _TWO_TICKS = 0.5  # [in] a lower panel has room for two labels
 
@@ -99,7 +98,7 @@ def _draw_error(axes: Axes, member: Outcome, index: int, colour: str, longest: f
     ceiling = _HEADROOM * max(member.corridor, largest)
     axes.set(xlim=(-0.01 * longest, 1.01 * longest), ylim=(-ceiling, ceiling))
     axes.axhspan(-member.corridor, member.corridor, color=CORRIDOR, alpha=0.22, linewidth=0)
-    kept = envelope(s, error, _BINS)
+    kept = envelope(s, error, bins_of(axes))
     axes.plot(s[kept], error[kept], color=colour, linewidth=1.5, zorder=3)
     mark_unreached(axes, member)
     ticks(axes.yaxis, min(2.0, box.height / HIGH))

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from planners.kernel import Floats
-from reports.figures.decimate import envelope
+from reports.figures.decimate import bins_of, envelope
 from reports.figures.style import INK, LIMIT, MARK, MUTED, PAPER, Look
 from reports.figures.ticks import BROAD, HIGH, length_unit, ticks
 from reports.words.fleet_words import called
@@ -19,7 +19,6 @@ from tracking.outcome import Fleet, Outcome
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_BINS = 900
 _MOST_PAIRS = 6  # the closest ones are shown, fewer where the panel is narrow
 _TITLE, _ENTRY = 1.2, 0.55  # [in] of the title, and of a pair in the legend beside it
 _LONG, _MINUTE = 600.0, 60.0  # [s] a longer axis is labelled in minutes
@@ -65,7 +64,7 @@ def closest_pairs(fleet: Fleet, most: int) -> list[int]:
 
 def _draw_pair(axes: Axes, t: Floats, distance: Floats, first: str, second: str) -> None:
     """A line in two colours by turns."""
-    kept = envelope(t, distance, _BINS)
+    kept = envelope(t, distance, bins_of(axes))
     axes.plot(t[kept], distance[kept], color=first, linewidth=_WIDTH, zorder=3)
     axes.plot(t[kept], distance[kept], color=second, linewidth=_WIDTH, linestyle=_by_turns(), zorder=3.1)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from planners.kernel import Floats
-from reports.figures.decimate import envelope
+from reports.figures.decimate import bins_of, envelope
 from reports.figures.focus import Focus
 from reports.figures.needed_line import draw_needed
 from reports.figures.panels import Panel
@@ -18,7 +18,6 @@ from tracking.outcome import Outcome
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_BINS = 1100  # about the pixels of a panel
 _THINNEST_BAR = 0.006  # of the path's length
 _BAR, _HEADROOM = 0.93, 1.25  # where the bar begins, of the panel's height, and how far the axis goes beyond the values
 _MOST_NEEDED = 3.0  # times the limit, up to which the axis goes for what a path needs: a corner may need any
@@ -70,7 +69,7 @@ def _span(axes: Axes, panel: Panel) -> float:
 
 
 def _limit(axes: Axes, s: Floats, limit: Floats, ceiling: float) -> None:
-    kept = envelope(s, limit, _BINS)
+    kept = envelope(s, limit, bins_of(axes))
     for sign in (1.0, -1.0):
         axes.fill_between(s[kept], sign * limit[kept], sign * ceiling, color=LIMIT, alpha=0.09, linewidth=0)
         label = "limit" if sign > 0.0 else None
@@ -84,7 +83,7 @@ def _grip(axes: Axes, grip: float) -> None:
 
 
 def _line(axes: Axes, s: Floats, y: Floats, colour: str, width: float, label: str) -> None:
-    kept = envelope(s, y, _BINS)
+    kept = envelope(s, y, bins_of(axes))
     axes.plot(s[kept], y[kept], color=colour, linewidth=width, label=label, zorder=3)
 
 

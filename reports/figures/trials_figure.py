@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from campaigns.statistics import Band
 from campaigns.summary import CaseResult
 from planners.kernel import Floats
-from reports.figures.decimate import envelope
+from reports.figures.decimate import bins_of, envelope
 from reports.figures.header import Head, draw_header, header_height
 from reports.figures.layout import LEFT, RIGHT
 from reports.figures.strip_panel import LABELS, draw_strips, strips_height
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
 _TITLE, _LABELS, _BOTTOM = 0.24, 0.44, 0.08  # [in] above and below axes
 _SIZE, _BIAS = 1.75, 1.0  # [in] heights of the panels
-_BINS = 1100  # about the pixels of a panel
 
 
 def trials_figure(result: CaseResult, outcome: Outcome) -> Figure:
@@ -86,7 +85,7 @@ def _draw_size(axes: Axes, result: CaseResult, outcome: Outcome, band: Band) -> 
     axes.set_ylim(0.0, ceiling)
     axes.axhspan(corridor, ceiling, color=LIMIT, alpha=0.09, linewidth=0)
     axes.axhline(corridor, color=LIMIT, linewidth=0.9, linestyle=(0, (5, 2)), label=f"corridor {text(corridor, 'm')}")
-    kept = envelope(s, error, _BINS)
+    kept = envelope(s, error, bins_of(axes))
     axes.plot(s[kept], error[kept], color=ORANGE, linewidth=0.9, label=worst_name(result), zorder=2.5)
     axes.plot(places, band.median, color=BLUE, linewidth=1.4, label="median", zorder=3)
     axes.fill_between(
