@@ -17,6 +17,7 @@ from planners.errors import InputError, TrackworthyError
 from tracking.metric import Margin, Metric
 from tracking.outcome import Outcome
 from tracking.profile import error_profile
+from tracking.track import Track
 from tracking.trial import Trial, run_trial
 from tracking.verdict import TRACKWORTHY
 
@@ -111,16 +112,19 @@ def without_path(reason: str, expect: str) -> Attempt:
     )
 
 
-def replay(job: Job, seed: int, track: Path | None = None) -> Outcome:
-    """The whole outcome of the trial of that seed, judged by the file of its `track` where there is one, else flown.
+def replay(job: Job, seed: int, track: Path | None = None, fly: bool = True) -> Outcome:
+    """The whole outcome of the trial of that seed, judged by the file of its `track`, or if there is none flown.
 
-    Raises what `run_trial` raises.
+    Raises what `run_trial` raises, and `InputError` where it may not `fly` and there is no such track.
     """
     trial, conditions = _unpacked(job)
-    try:
-        known = read_tracks(track) if track and track.exists() else ()
-    except InputError:  # it was damaged, and can be had again
-        known = ()
+    known: tuple[Track, ...] = ()
+    if track is not None and (track.exists() or not fly):
+        try:
+            known = read_tracks(track)
+        except InputError:  # it was damaged, and can be had again
+            if not fly:
+                raise
     return run_trial(seeded(trial, conditions, seed), known)
 
 

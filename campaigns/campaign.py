@@ -48,7 +48,9 @@ class CampaignFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @dataclass(frozen=True, slots=True)
 class Campaign:
-    """A campaign's cases and searches, one by one; their paths are relative to `folder`."""
+    """A campaign's cases and searches, one by one, `only` those of these names where it has any; their paths are
+    relative to `folder`.
+    """
 
     name: str
     title: str
@@ -62,6 +64,7 @@ class Campaign:
     check: dict[str, Limit] = field(default_factory=dict)
     claims: tuple[Claim, ...] = ()
     note: str = ""
+    only: tuple[str, ...] = ()
 
     @property
     def trials(self) -> int:
@@ -110,6 +113,7 @@ def load_campaign(name_or_file: str, only: Sequence[str] = ()) -> Campaign:
         check=limits,
         claims=content.claim,
         note=content.note,
+        only=tuple(only),
     )
 
 

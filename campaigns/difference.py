@@ -89,10 +89,10 @@ def difference(
 
 
 def paired(before: Sample, after: Sample) -> tuple[Floats, Floats] | None:
-    """The values (P,) of the seeds that are in both; None where there is no such seed."""
+    """The values (P,) of the seeds that are in both; None where these are less than half of either."""
     old, new = ({seed: i for i, seed in enumerate(one.seeds)} for one in (before, after))
     common = sorted(old.keys() & new.keys())  # in one order, whichever comes first
-    if not common:
+    if 2 * len(common) < max(len(old), len(new)) or not common:
         return None
     return before.values[[old[seed] for seed in common]], after.values[[new[seed] for seed in common]]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from campaigns.campaign import Campaign, load_campaign
@@ -12,12 +12,13 @@ from campaigns.manifest import Manifest, fingerprint, read_manifest
 from campaigns.plan_statistics import PlannedBy, planned_by
 from campaigns.ready import ReadyCase, make_ready
 from campaigns.resolved import RESOLVED
-from campaigns.runner import Task, replay_each, track_file
+from campaigns.runner import Task, replay_each
 from campaigns.search_ready import make_searches_ready
 from campaigns.searches import SearchResult, stored_searches
 from campaigns.store import Store
 from campaigns.summary import CaseResult, results_of
 from planners.errors import InputError
+from tracking.metric import SCHEMA_VERSION
 from tracking.outcome import Outcome
 
 SHOWN = 100  # cases whose worst trial is given whole, those not as expected first
@@ -41,8 +42,13 @@ class Finished:
 
     @property
     def called(self) -> str:
-        """The campaign as a command names it, to run it again."""
+        """The campaign as a command names it."""
         return self.manifest.called or str(self.folder / RESOLVED)
+
+    @property
+    def other_code(self) -> bool:
+        """Whether another version of trackworthy or its libraries made the results."""
+        return self.manifest.code != fingerprint()
 
 
 def read_finished(folder: Path, lanes: Lanes) -> Finished:
@@ -53,13 +59,12 @@ def read_finished(folder: Path, lanes: Lanes) -> Finished:
     manifest, campaign = read_campaign(folder)
     cases = [ready.with_paths_of(folder, {}) for ready in make_ready(campaign)]
     results = read_results(campaign, folder)
-    names, same = shown(results), manifest.code == fingerprint()
-    tasks = [
-        task for task in worst_tasks(cases, results)
-        if task.ready.case.name in names and (same or track_file(folder, task.key).exists())
-    ]  # fmt: skip
-    replayed = replay_each(tasks, folder, lanes)
-    outcomes = {task.ready.case.name: outcome for task, outcome in replayed if outcome is not None}
+    names = shown(results)
+    tasks = [task for task in worst_tasks(cases, results) if task.ready.case.name in names]
+    replayed = replay_each(tasks, folder, lanes, fly=manifest.code == fingerprint())
+    outcomes = {
+        task.ready.case.name: _with_notes(outcome, manifest) for task, outcome in replayed if outcome is not None
+    }
     searches = stored_searches(make_searches_ready(campaign), folder)
     plans = planned_by(cases, campaign.claims, folder)
     return Finished(campaign, folder, manifest, results, outcomes, searches, plans)
@@ -70,6 +75,9 @@ def read_campaign(folder: Path) -> tuple[Manifest, Campaign]:
     manifest = read_manifest(folder / "manifest.json")
     if manifest is None or not (folder / RESOLVED).exists():
         raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")
+    if manifest.schema_version != SCHEMA_VERSION:
+        what = f"its metrics have schema {manifest.schema_version}, those of this version {SCHEMA_VERSION}"
+        raise InputError(str(folder), what, "run the campaign again")
     return manifest, load_campaign(str(folder / RESOLVED))
 
 
@@ -86,6 +94,11 @@ def read_results(campaign: Campaign, folder: Path) -> list[CaseResult]:
             what = f"{done} of {result.case.trials} trials of {result.case.name!r} are done"
             raise InputError(str(folder), what, "run the campaign to its end first")
     return results
+
+
+def _with_notes(outcome: Outcome, manifest: Manifest) -> Outcome:
+    """With the notes of the run: a campaign that is written out states what its files had said."""
+    return replace(outcome, notes=tuple(manifest.notes.get(outcome.name, outcome.notes)))
 
 
 def shown(results: Sequence[CaseResult]) -> set[str]:

@@ -42,6 +42,8 @@ def _whole(name: str, only: Sequence[str]) -> Campaign:
         searches=tuple(search for part in parts for search in part.searches if not only or search.name in only),
         claims=tuple(claim for part in parts for claim in part.claims),
         file=name,
+        note=" ".join(dict.fromkeys(part.note for part in parts if part.note)),
+        only=tuple(only),
     )
 
 

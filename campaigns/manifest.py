@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import shlex
 import shutil
 import subprocess
 from collections.abc import Sequence
@@ -28,7 +29,7 @@ HOME = Path(__file__).parents[1]
 
 class Manifest(msgspec.Struct, frozen=True):
     """`campaign` is the hash of all that decides the results but the code, `code` that of the code; `called` is the
-    campaign as it was given to the command line.
+    campaign as it was given to the command line, `only` the cases that were named there, `notes` are those on cases.
     """
 
     name: str
@@ -42,6 +43,14 @@ class Manifest(msgspec.Struct, frozen=True):
     seed: int
     cases: dict[str, str]
     called: str = ""
+    only: tuple[str, ...] = ()
+    notes: dict[str, tuple[str, ...]] = {}
+
+    @property
+    def command(self) -> str:
+        """The command that made the results; "" where it is not known."""
+        cases = [word for name in self.only for word in ("--case", name)]
+        return shlex.join(["trackworthy", "run", self.called, *cases]) if self.called else ""
 
 
 def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequence[ReadySearch] = ()) -> Manifest:
@@ -61,6 +70,8 @@ def manifest_of(campaign: Campaign, cases: Sequence[ReadyCase], searches: Sequen
         seed=campaign.seed,
         cases=digests,
         called=campaign.file,
+        only=campaign.only,
+        notes={ready.case.name: ready.notes for ready in cases if ready.notes and not ready.plans},
     )
 
 

@@ -121,8 +121,11 @@ def _result(task: Task, future: Future[Attempt]) -> Attempt:
         return Attempt(task.seed, error=str(error), kind=MACHINERY)
 
 
-def replay_each(tasks: Sequence[Task], folder: Path, lanes: Lanes) -> Iterator[tuple[Task, Outcome | None]]:
-    """The whole outcome of every task, as they finish, judged by its track in the results `folder`, or flown.
+def replay_each(
+    tasks: Sequence[Task], folder: Path, lanes: Lanes, fly: bool = True
+) -> Iterator[tuple[Task, Outcome | None]]:
+    """The whole outcome of every task, as they finish, judged by its track in the results `folder`, or if there is none
+    flown, unless `fly` says no.
 
     None for one that fails this time, or has no path.
     """
@@ -131,7 +134,7 @@ def replay_each(tasks: Sequence[Task], folder: Path, lanes: Lanes) -> Iterator[t
 
     def send(executor: Executor, one: tuple[Task, Job]) -> Future[Outcome]:
         task, job = one
-        return executor.submit(replay, job, task.seed, track_file(folder, task.key))
+        return executor.submit(replay, job, task.seed, track_file(folder, task.key), fly)
 
     for (task, _), future in lanes.each(flown, send):
         try:

@@ -32,7 +32,9 @@ class SearchResult:
 
     @property
     def passed(self) -> bool | None:
-        """Whether it is as expected; None where nothing was expected."""
+        """Whether it is as expected, which an error never is; None where nothing was expected."""
+        if self.found.error:
+            return False
         return self.search.as_expected(self.found.at)
 
 

@@ -19,7 +19,6 @@ from campaigns.settings import settings
 from campaigns.summary import CaseResult
 from campaigns.versus import held, samples
 from planners.errors import InputError
-from tracking.metric import SCHEMA_VERSION
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +90,6 @@ class SideBySide:
 def read_side(folder: Path) -> Side:
     """The results in `folder`; raises `InputError` where there are none, not all, or those of other definitions."""
     manifest, campaign = read_campaign(folder)
-    if manifest.schema_version != SCHEMA_VERSION:
-        what = f"its metrics have schema {manifest.schema_version}, those of this version {SCHEMA_VERSION}"
-        raise InputError(str(folder), what, "run the campaign again")
     if not campaign.cases:
         raise InputError(str(folder), "its campaign has no cases to compare", "give one that has")
     return Side(folder, campaign, manifest, read_results(campaign, folder))

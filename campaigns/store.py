@@ -11,7 +11,7 @@ from pathlib import Path
 import msgspec
 
 from campaigns.attempt import Attempt, Measured
-from planners.errors import TrackworthyError
+from planners.errors import InputError, TrackworthyError
 
 TABLES = """
 CREATE TABLE IF NOT EXISTS trials (
@@ -124,5 +124,7 @@ class Store:
         try:
             yield
         except sqlite3.Error as error:
+            if self._read_only:
+                raise InputError(str(self._file), f"cannot be read: {error}", "run the campaign again") from error
             remedy = "what was stored before is kept; make room and run the same command again"
             raise TrackworthyError(f"{self._file}: cannot be used: {error}; {remedy}") from error

@@ -20,6 +20,8 @@ from reports.pages.pdf import write_pdf
 from reports.pages.pdf_plans import plan_sections
 from reports.pages.report_data import Report, report_of
 
+DRAWING = 300.0  # [s] that a figure, or a trial to be flown again, may take
+
 # What each form is written to, within the results folder
 FILES = {
     "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",

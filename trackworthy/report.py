@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from campaigns.finished import Finished
 
 FORMS = ("pdf", "html", "png", "junit", "md")  # those of `reports.write.FILES`
-DRAWING = 300.0  # [s] that a figure, or a trial to be flown again, may take
 PAPERS = {"a4": "a4", "letter": "us-letter"}
 
 
@@ -33,13 +35,25 @@ def main(args: argparse.Namespace) -> int:
     from campaigns.execute import Machines, default_jobs
     from campaigns.finished import read_finished
     from planners.errors import InputError
-    from reports.write import write_report
+    from reports.write import DRAWING, write_report
+    from trackworthy.streams import tell
 
     if args.jobs is not None and args.jobs < 1:
         raise InputError("--jobs", f"{args.jobs} is no number of processes", "give 1 or more")
     baseline = read_baseline(Path(args.baseline)) if args.baseline else None
     with Machines(args.jobs or default_jobs()).lanes(DRAWING) as lanes:
         finished = read_finished(Path(args.folder), lanes)
+        tell(_about(finished))
         for file in write_report(finished, lanes, args.format or FORMS, PAPERS[args.paper], baseline):
             print(file)
     return 0
+
+
+def _about(finished: Finished) -> list[str]:
+    """What the reader should know of results that other code made."""
+    if not finished.other_code:
+        return []
+    told = "another version of trackworthy or its libraries made these results"
+    missing = sum(result.worst is not None for result in finished.results) - len(finished.outcomes)
+    whole = f"; {missing} worst trials whose tracks were not kept are not shown whole" if missing > 0 else ""
+    return [f"{finished.folder}: {told}{whole}"]

@@ -49,7 +49,7 @@ def main(args: argparse.Namespace) -> int:
     from planners.errors import InputError
     from reports.terminal.progress import watched
     from reports.words.slug import slug
-    from reports.write import write_report
+    from reports.write import DRAWING, write_report
     from trackworthy.streams import tell
 
     if args.jobs is not None and args.jobs < 1:
@@ -72,7 +72,7 @@ def main(args: argparse.Namespace) -> int:
     except (KeyboardInterrupt, SystemExit) as stop:  # Ctrl-C, or told to by SIGTERM
         tell([f"trackworthy: stopped; the same command goes on from what is stored in {folder}"])
         return int(stop.code or 0) if isinstance(stop, SystemExit) else 130
-    with Machines(machines.jobs).lanes(campaign.timeout) as lanes:
+    with Machines(machines.jobs).lanes(DRAWING) as lanes:
         write_report(finished, lanes)
     return _answer(finished, folder)
 

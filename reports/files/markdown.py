@@ -8,8 +8,9 @@ from collections.abc import Sequence
 
 def cell(text: str) -> str:
     """Text as a cell of a table: no line breaks, no bars, no markup."""
-    for character in "\\`*_<>|[]":
+    for character in "\\`*_<>|[]~":
         text = text.replace(character, f"\\{character}")
+    text = re.sub(r"([@#])(?=\w)", "\\1\u2060", text)  # or a name would call somebody, a number another thread
     return " ".join(text.split())
 
 

@@ -26,11 +26,11 @@ def markdown(finished: Finished, report: Report) -> str:
         lines += ["| | case | verdict | why |", "| --- | --- | --- | --- |"]
         lines += [_row(result, finished) for result in worst[:MOST_ROWS]]
     if len(worst) > MOST_ROWS:
-        lines += ["", f"and {counted(len(worst) - MOST_ROWS, 'more case')}, all better."]
+        lines += ["", f"and {counted(len(worst) - MOST_ROWS, 'more case')}."]
     lines += [f"- {cell(search_line(search))}" for search in finished.searches]
     files = [f"figures/{stem}.png" for stem in plots(finished, report)]
     lines += ["", *(line for file in files for line in (f"[![{file}]({file})]({file})", ""))]
-    lines += ["Again:", "", *fenced([f"trackworthy run {finished.called}"])]
+    lines += ["Again:", "", *fenced([finished.manifest.command or f"trackworthy run {finished.called}"])]
     return "\n".join(lines) + "\n"
 
 

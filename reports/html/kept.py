@@ -13,6 +13,7 @@ from campaigns.finished import Finished
 from campaigns.summary import CaseResult
 from campaigns.tracks import read_tracks
 from planners.errors import InputError
+from reports.words.fleet_words import GROUND
 from tracking.outcome import Outcome
 
 
@@ -63,9 +64,10 @@ def replayed(kept: Kept, worst: Outcome) -> Iterator[tuple[Outcome, float]]:
         tracks, departures = read_tracks(kept.file), _departures(kept.file)
     except InputError:
         return
-    wind = draw(kept.result.case.conditions, kept.seed).conditions.wind
+    drawn = draw(kept.result.case.conditions, kept.seed).conditions
     for member, track, departure in zip(members_of(worst), tracks, departures, strict=False):
-        conditions = replace(member.conditions, wind=wind)
+        wind = member.conditions.wind if member.limits.kind == GROUND else drawn.wind  # no wind moves a truck
+        conditions = replace(member.conditions, wind=wind, friction=drawn.friction)
         yield replace(member, track=track, conditions=conditions, seed=kept.seed), departure
 
 

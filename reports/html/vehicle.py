@@ -44,7 +44,7 @@ def vehicle_data(outcome: Outcome, departure: float, number: int, most: int, pat
         "ended": track.ended,
         "path": path,
         "columns": columns,
-        "panels": [_panel(panel, outcome, kept, pool) for panel in (*panels(outcome), _speed(outcome))],
+        "panels": [_panel(panel, outcome, kept, pool, path) for panel in (*panels(outcome), _speed(outcome))],
         "pool": pool.columns,
     }
 
@@ -67,14 +67,14 @@ def _speed(outcome: Outcome) -> Panel:
     return Panel(title, "m/s", outcome.track[column], command=outcome.track["speed_command"], symmetric=False)
 
 
-def _panel(panel: Panel, outcome: Outcome, kept: Ints, pool: Pool) -> Json:
+def _panel(panel: Panel, outcome: Outcome, kept: Ints, pool: Pool, path: int | None) -> Json:
     lower, upper = _bounds(panel, outcome)
 
     def add(values: Floats | None) -> int | None:
         return None if values is None else pool.add(np.asarray(values, float)[kept])
 
     needed = None
-    if panel.needed is not None:
+    if panel.needed is not None and path is not None:  # what another path needs says nothing
         s, wanted = panel.needed
         needed = np.interp(outcome.track["s"], s, wanted)
     return {
@@ -86,7 +86,6 @@ def _panel(panel: Panel, outcome: Outcome, kept: Ints, pool: Pool) -> Json:
         "upper": add(upper),
         "needed": add(needed),
         "corridor": panel.corridor,
-        "grip": panel.grip,
     }
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
@@ -41,7 +40,7 @@ def _made(manifest: Manifest) -> list[Json]:
     planets = f"{manifest.schema_version} of the metrics, {manifest.store_version} of the results folder"
     rows = [
         ("campaign", manifest.name),
-        ("command", shlex.join(["trackworthy", "run", manifest.called]) if manifest.called else ""),
+        ("command", manifest.command),
         ("seed of the campaign", f"{manifest.seed}"),
         ("trackworthy", versions.pop("trackworthy", "")),
         ("git revision", f"{revision}{changed}" if revision else "none: it was not run from a checkout"),

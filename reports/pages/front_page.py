@@ -11,15 +11,14 @@ from campaigns.search import ScaleSearch, SpeedSearch
 from campaigns.searches import SearchResult
 from campaigns.summary import ERROR, CaseResult
 from reports.files.json_result import Json
-from reports.words.condition_words import condition_words
 from reports.words.deciding import severity
-from reports.words.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
+from reports.words.dimensions import CONDITIONS, CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
 from reports.words.plain_words import plain
 from reports.words.quantity import counted, number
 from reports.words.search_words import search_line
 from reports.words.words import planet_words
 from tracking.outcome import Outcome
-from tracking.verdict import TRACKWORTHY
+from tracking.verdict import EITHER, TRACKWORTHY
 
 _MOST_UNEXPECTED, _MOST_FAILED, _MOST_NEAR = 5, 5, 3
 _MOST_NAMES, _LONGEST_NAME, _LONGEST = 6, 44, 300  # names in a list, and characters of a name and of a sentence
@@ -34,17 +33,20 @@ def front_data(
     outcomes: Mapping[str, Outcome],
     searches: Sequence[SearchResult] = (),
     campaign: str = "",
+    command: str = "",
 ) -> dict[str, Json]:
-    """The page of a campaign that was given as `campaign` on the command line, "" for one that is not known."""
-    again = ["trackworthy", "run", campaign]
+    """The page of a campaign that was given as `campaign` on the command line, "" for one that is not known; `command`
+    is all of that line.
+    """
+    one = ["trackworthy", "run", campaign, "--case", "NAME", "--trial", "N"]
     return {
         "headline": {**headline(results, searches)},
         "counts": counts_words(results, searches),
         "good": all(result.passed for result in results) and all(one.passed is not False for one in searches),
         "tested": _tested(results, outcomes, searches),
         "worst": _groups(results, outcomes, searches),
-        "repeat": shlex.join(again) if campaign else "",
-        "repeat_one": shlex.join([*again, "--case", "NAME", "--trial", "N"]) if campaign and results else "",
+        "repeat": command,
+        "repeat_one": shlex.join(one) if campaign and results else "",
         "legend": _LEGEND if results else "",
     }  # fmt: skip
 
@@ -55,6 +57,8 @@ def headline(results: Sequence[CaseResult], searches: Sequence[SearchResult]) ->
     kinds = [("case", [result.passed for result in results]), ("search", asked)]
     if not results and not asked:
         return {"number": f"{len(searches)}", "words": f"{_noun(len(searches), 'search')} made"}
+    if results and not asked and all(result.case.expect == EITHER and result.passed for result in results):
+        return {"number": f"{len(results)}", "words": f"{_noun(len(results), 'case')} to be compared"}
     good = all(all(passed) for _, passed in kinds)
     counts = [
         (f"{passed.count(good)} of {len(passed)}", _noun(len(passed), kind)) for kind, passed in kinds if good in passed
@@ -88,9 +92,9 @@ def case_words(result: CaseResult, outcome: Outcome | None) -> str:
     if result.verdict == ERROR:
         which = f"{found.errors} of {case.trials} trials" if case.trials > 1 else "it"
         return _cut(f"{which} failed to run: {found.first_error}")
-    if found.no_path and outcome is None:
+    if result.worst is None:
         return _cut(f"has no path to follow: the planner found none ({found.no_path_reason})")
-    told = plain(outcome) if outcome else "is trackworthy" if result.verdict == TRACKWORTHY else "is not trackworthy"
+    told = plain(outcome) if outcome else f"is {'' if result.worst.trackworthy else 'not '}trackworthy"
     if case.trials == 1:
         return _cut(told)
     asked = f", where {number(100 * case.pass_share)} % are asked" if case.pass_share < 1.0 else ""
@@ -109,12 +113,15 @@ def _groups(
     told = dict(zip((r.case.name for r in results), dimensions(results, outcomes), strict=True))
     ranked = sorted(results, key=by_severity)
     unexpected = [result for result in ranked if not result.passed]
-    failed = _spread([r for r in ranked if r.passed and r.verdict != TRACKWORTHY], told)
+    unworthy = [r for r in ranked if r.passed and r.verdict != TRACKWORTHY]
+    failed = _spread([r for r in unworthy if r.case.expect != EITHER], told)
+    compared = _spread([r for r in unworthy if r.case.expect == EITHER], told)
     near = [r for r in ranked if r.passed and r.verdict == TRACKWORTHY and math.isfinite(by_severity(r)[1])]
     missed = [search for search in searches if search.passed is False]
     groups: list[tuple[str, list[CaseResult], int]] = [
         ("Not as expected", unexpected, _MOST_UNEXPECTED),
         ("Not trackworthy, as expected", failed, 2 if unexpected else _MOST_FAILED),
+        ("Not trackworthy, to be compared", compared, 2 if unexpected or failed else _MOST_FAILED),
         ("Trackworthy, and nearest to a limit", near, 2 if unexpected else _MOST_NEAR),
     ]
     found: list[Json] = [
@@ -167,7 +174,7 @@ def _tested(
     ours = {row[PATH] for row, result in zip(told, results, strict=True) if result.case.planner}
     files = list(dict.fromkeys(row[PATH] for row in told if row[PATH] not in ours))
     planners = list(dict.fromkeys(row[PATH] for row in told if row[PATH] in ours))
-    conditions = list(dict.fromkeys(", ".join(condition_words(r.case.conditions)) or "no wind" for r in results))
+    conditions = list(dict.fromkeys(row[CONDITIONS] for row in told if row[CONDITIONS]))
     speeds: dict[str, list[str]] = {}
     for row in told:
         speeds.setdefault(row[VEHICLE], []).append(row[SPEED])

@@ -98,7 +98,7 @@ def _overview(
     figures = [scenario_figures(one, stem) if len(one.runs) > 1 else [] for one, stem in pairs]
     versus, beside = versus_section(results, limits)
     told: dict[str, Json] = {
-        "front": front_data(results, outcomes, searches, manifest.called if manifest else ""),
+        "front": front_data(results, outcomes, searches, *(manifest.called, manifest.command) if manifest else ()),
         "matrix": matrix_data(results, outcomes),
         "scenarios": [*scenarios_data(scenarios, sections, figures, versus)],
         "appendix": appendix_data(results, outcomes, manifest),

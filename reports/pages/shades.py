@@ -11,8 +11,11 @@ _DARK = 0.55  # beyond it type is white
 
 
 def shade(share: float, good: bool) -> tuple[str, str]:
-    """Fill and type colour for a margin of `share` of its limit, clipped to 100 %; `good` says on which side it is."""
-    size = 1.0 if math.isnan(share) else min(abs(share), 1.0)
+    """Fill and type colour for a margin of `share` of its limit, clipped to 100 %; `good` says on which side it is.
+
+    A case may be good although its worst trial is not, or the other way round: that is the faintest of its side.
+    """
+    size = 1.0 if math.isnan(share) else min(max(share if good else -share, 0.0), 1.0)
     strength = _FAINTEST + (1.0 - _FAINTEST) * math.sqrt(size)
     end = BLUE if good else FAIL_BADGE
     return _mixed(PAPER, end, strength), PAPER if strength > _DARK else INK

@@ -6,7 +6,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from campaigns.case import Case
+from campaigns.conditions import CALM
 from campaigns.summary import CaseResult
 from planners.outside import OutsidePlanner
 from planners.scenario import BUILT_IN_SCENARIOS, load_scenario, stem_of
@@ -15,6 +18,7 @@ from reports.words.condition_words import condition_words
 from reports.words.fleet_words import GROUND
 from reports.words.quantity import number, text
 from reports.words.words import speed_text
+from sim.vehicles import ALL_TRUCKS
 from tracking.outcome import Outcome
 
 PATH, SCENARIO, CONDITIONS, VEHICLE, SPEED, CONTROLLER = (
@@ -32,13 +36,22 @@ def dimensions(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) -
         {
             PATH: path,
             SCENARIO: scenario_words(case, found),
-            CONDITIONS: ", ".join(condition_words(case.conditions)) or "no wind",
+            CONDITIONS: conditions_met(case, kinds.get(case.vehicle, "")),
             VEHICLE: Path(case.vehicle).stem,
             SPEED: _speed(case, kinds.get(case.vehicle, "")),
             CONTROLLER: case.controller,
         }
         for case, path in zip(cases, paths, strict=True)
     ]
+
+
+def conditions_met(case: Case, kind: str) -> str:
+    """The conditions of a case with a vehicle of that `kind`; no air moves one on the ground."""
+    keys, air = case.conditions, "no wind"
+    if kind == GROUND:
+        keys = msgspec.structs.replace(keys, wind=CALM.wind, gust=None, dryden=None, turbulence=CALM.turbulence)
+        air = ""
+    return ", ".join(condition_words(keys)) or air
 
 
 def scenario_words(case: Case, scales_of: Mapping[str, int]) -> str:
@@ -104,7 +117,7 @@ def _speed(case: Case, kind: str) -> str:
 
 def _kinds(cases: Sequence[Case], outcomes: Mapping[str, Outcome]) -> dict[str, str]:
     """Which kind each vehicle is, by its outcomes; the truck needs none."""
-    return {"truck": GROUND} | {
+    return dict.fromkeys(ALL_TRUCKS, GROUND) | {
         case.vehicle: outcomes[case.name].limits.kind for case in cases if case.name in outcomes
     }
 

@@ -42,8 +42,9 @@ def missing(outcome: Outcome, margin: Margin) -> str:
     if math.isnan(margin.value):
         note = f" ({margin.metric.note})" if margin.metric.note else ""
         return f"has no {spoken(name)} that could be measured{note}"
+    usual = ">=" if margin.metric.better == "higher" else "<="
     for start, told in _MISSING.items():
-        if name.startswith(start):
+        if name.startswith(start) and margin.requirement.comparison == usual:
             return told(outcome, margin)
     return _other(outcome, margin)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +55,19 @@ def families(groups: Sequence[Group]) -> list[Family]:
         for dimension in _BESIDE:
             stated = without(stated, dimension)
         found.setdefault((group.dimension, key_of(stated)), []).append(group)
-    return [_family(one) for one in found.values()]
+    return _told_apart([_family(one) for one in found.values()])
+
+
+def _told_apart(found: Sequence[Family]) -> list[Family]:
+    """With the settings that tell families apart which would else be called the same."""
+    called = [(one.title, one.about) for one in found]
+    told = []
+    for one, name in zip(found, called, strict=True):
+        alike = [other.groups[0].common for other, same in zip(found, called, strict=True) if same == name]
+        differ = [key for key in one.groups[0].common if len({repr(common.get(key)) for common in alike}) > 1]
+        own = [f"{key} {one.groups[0].common[key]}" for key in differ]
+        told.append(replace(one, about=" · ".join([one.about, *own])))
+    return told
 
 
 def versus_table(family: Family) -> Table:

@@ -19,12 +19,19 @@ def one(name, value, unit, **changes):
 
 
 def said(outcome, metric, comparison, limit, **changes):
-    return plain(judged(outcome, (metric, comparison, limit), **changes))
+    usual = dataclasses.replace(metric, better="higher" if comparison == ">=" else "lower")
+    return plain(judged(outcome, (usual, comparison, limit), **changes))
 
 
 def test_the_sentence_of_the_brief(route):
     told = said(route, error(42.0, 3400.0), "<=", route.corridor, turns=(CORNER,))
     assert told == "misses the corridor by 12 m at 3.4 km, because the corner there needs a 530 m turn and offers 210 m"
+
+
+def test_a_requirement_the_other_way_round_says_what_is_asked(route):
+    metric = error(0.5, 3400.0)
+    told = plain(judged(route, (metric, ">=", 0.6)))
+    assert told == "has a cross-track error of 0.5 m at 3.4 km, where at least 0.6 m is asked"
 
 
 @pytest.mark.parametrize(

@@ -104,7 +104,7 @@ function replayKeys(event, player) {
   const pressing = tag === "BUTTON" || tag === "A" || event.target.type === "checkbox";
   const step = ((player.end - player.start) / STEPS) * (event.shiftKey ? 10 : 1);
   const actions = { " ": () => player.toggle(), ArrowRight: () => player.go(player.clock + step), ArrowLeft: () => player.go(player.clock - step),
-    "+": () => player.faster(1), "-": () => player.faster(-1), Home: null, End: null };
+    "+": () => player.faster(1), "-": () => player.faster(-1),  };
   const action = actions[event.key];
   if (!action || (event.key === " " && pressing)) return;
   event.preventDefault();
