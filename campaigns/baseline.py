@@ -74,13 +74,13 @@ def record_of(campaign: Campaign, results: list[CaseResult], folder: Path) -> Re
 
 def read_baseline(file: Path) -> Baseline:
     """The baseline in `file`; raises `InputError` for one that is missing, damaged or of another version."""
-    update = "make one from good results with --update"
+    update = "make one of good results: trackworthy check DIR --baseline FILE --update"
     try:
         text = file.read_bytes()
     except FileNotFoundError:
         raise InputError(str(file), "there is no such baseline", update) from None
     except OSError as error:
-        raise InputError(str(file), f"cannot be read: {error.strerror}") from None
+        raise InputError(str(file), f"cannot be read: {error.strerror}", update) from None
     try:
         baseline = msgspec.json.decode(text, type=Baseline)
     except msgspec.DecodeError as error:

@@ -72,6 +72,8 @@ def read_finished(folder: Path, lanes: Lanes) -> Finished:
 
 def read_campaign(folder: Path) -> tuple[Manifest, Campaign]:
     """What made the results in `folder`, and the campaign that they are of; raises `InputError` for no results."""
+    if folder.is_file():
+        raise InputError(str(folder), "is a file", "give the folder of a campaign's results")
     manifest = read_manifest(folder / "manifest.json")
     if manifest is None or not (folder / RESOLVED).exists():
         raise InputError(str(folder), "holds no results", "run a campaign first: trackworthy run ... -o DIR")

@@ -110,8 +110,9 @@ def read_manifest(file: Path) -> Manifest | None:
     except FileNotFoundError:
         return None
     except (OSError, msgspec.DecodeError) as error:
-        what = f"is not a manifest of this version ({error})"
-        raise InputError(str(file), what, "give another folder with -o") from None
+        what = f"is damaged, or of another version ({error})"
+        remedy = "run the campaign anew with --fresh, or into another folder with -o"
+        raise InputError(str(file), what, remedy) from None
 
 
 def write_manifest(manifest: Manifest, file: Path) -> None:

@@ -10,6 +10,7 @@ from campaigns.campaign import replay_command
 from campaigns.finished import Finished
 from campaigns.gate import Check, check
 from campaigns.lanes import Lanes
+from planners.errors import InputError
 from planners.files.text import write_text
 from reports.figures.drawing import Drawing, draw_all
 from reports.files.junit import campaign_junit
@@ -45,18 +46,21 @@ def write_report(
     report = campaign_report(finished, lanes, held)
     drawings = _needed(report, finished, forms)
     if drawings:
+        if figures.is_file():
+            raise InputError(str(figures), "is a file where the figures' folder belongs", "move it away")
         figures.mkdir(exist_ok=True)
         draw_all(drawings, figures, lanes)
     write: dict[str, Callable[[Path], None]] = {
         "pdf": lambda file: write_pdf(report, figures, file, paper),
         "html": lambda file: write_html(finished, report.data, file),
         "png": lambda file: None,
-        "junit": lambda file: write_text(file, campaign_junit(finished)),
-        "md": lambda file: write_text(file, markdown(finished, report)),
+        "junit": lambda file: write_text(file, campaign_junit(finished, held)),
+        "md": lambda file: write_text(file, markdown(finished, report, held)),
     }
-    for form in forms:
-        write[form](folder / FILES[form])
-    return [folder / FILES[form] for form in forms]
+    files = {form: folder / FILES[form] for form in forms}
+    for form, file in files.items():
+        write[form](file)
+    return [*files.values()]
 
 
 def campaign_report(finished: Finished, lanes: Lanes, held: Check | None = None) -> Report:

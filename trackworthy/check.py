@@ -43,7 +43,10 @@ def main(args: argparse.Namespace) -> int:
         write_baseline(record.baseline, file)
         tell([f"{file}: the baseline is now that of {counted(len(record.results), 'case')}"])
         return 0
-    found = check(record, read_baseline(file))
+    baseline = read_baseline(file)
+    if baseline.campaign != record.campaign.name:
+        tell([f"{file}: is of another campaign, {baseline.campaign!r}"])
+    found = check(record, baseline)
     _show(found, args.format)
     if found.machinery_failed:
         return TrackworthyError.exit_code

@@ -44,6 +44,8 @@ def main(args: argparse.Namespace) -> int:
     with Machines(args.jobs or default_jobs()).lanes(DRAWING) as lanes:
         finished = read_finished(Path(args.folder), lanes)
         tell(_about(finished))
+        if baseline and baseline.campaign != finished.campaign.name:
+            tell([f"{args.baseline}: is of another campaign, {baseline.campaign!r}"])
         for file in write_report(finished, lanes, args.format or FORMS, PAPERS[args.paper], baseline):
             print(file)
     return 0

@@ -17,8 +17,9 @@ from reports.figures.strip_panel import LABELS, draw_strips, strips_height
 from reports.figures.style import BLUE, CORRIDOR, INK, LIMIT, MUTED, ORANGE, WIDTH, new_figure, place
 from reports.figures.ticks import BROAD, HIGH, length_unit, ticks
 from reports.figures.trials_data import strips
+from reports.words.campaign_words import case_verdict_words
 from reports.words.quantity import text
-from reports.words.trials_words import case_setting, case_verdict_words, headline_words, verdict_reason, worst_name
+from reports.words.trials_words import case_setting, headline_words, verdict_reason, worst_name
 from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 

@@ -18,6 +18,10 @@ _KEPT = "\t\n\r"
 
 def check_junit(check: Check) -> str:
     """A test a metric of a case, and one for each finding that is not about a metric."""
+    return _document(_check_suite(check))
+
+
+def _check_suite(check: Check) -> ET.Element:
     suite = ET.Element("testsuite", name=_clean(f"trackworthy check {check.campaign}"))
     by_metric = {(one.case, one.metric): finding for finding in check.findings if (one := finding.comparison)}
     for one in check.comparisons:
@@ -29,11 +33,11 @@ def check_junit(check: Check) -> str:
             # Of what cannot be measured there may be several in a case, and readers tell tests by their names
             name = _clean(finding.message) if finding.kind == UNMEASURED else finding.kind
             _add(ET.SubElement(suite, "testcase", classname=_clean(finding.case), name=name), finding)
-    return _document(suite)
+    return suite
 
 
-def campaign_junit(finished: Finished) -> str:
-    """A test a case and a search."""
+def campaign_junit(finished: Finished, held: Check | None = None) -> str:
+    """A test a case and a search; and in a suite of its own what came of holding them against a baseline."""
     suite = ET.Element("testsuite", name=_clean(f"trackworthy run {finished.campaign.name}"))
     for result in finished.results:
         test = ET.SubElement(suite, "testcase", classname=_clean(finished.campaign.name), name=_clean(result.case.name))
@@ -44,7 +48,7 @@ def campaign_junit(finished: Finished) -> str:
         if search.found.error or search.passed is False:
             kind = "error" if search.found.error else "failure"
             ET.SubElement(test, kind, message=_clean(search_line(search)), type=search.found.kind or "not-as-expected")
-    return _document(suite)
+    return _document(suite, *([_check_suite(held)] if held else []))
 
 
 def _add_case(test: ET.Element, result: CaseResult, finished: Finished) -> None:
@@ -57,13 +61,14 @@ def _add_case(test: ET.Element, result: CaseResult, finished: Finished) -> None:
     ET.SubElement(test, kind, message=told_, type=result.verdict).text = "\n".join(lines)
 
 
-def _document(suite: ET.Element) -> str:
-    """The file, `suite` with the numbers of its tests."""
-    suite.set("tests", str(len(suite)))
-    suite.set("failures", str(len(suite.findall("testcase/failure"))))
-    suite.set("errors", str(len(suite.findall("testcase/error"))))
+def _document(*suites_of: ET.Element) -> str:
+    """The file, each suite with the numbers of its tests."""
     suites = ET.Element("testsuites")
-    suites.append(suite)
+    for suite in suites_of:
+        suite.set("tests", str(len(suite)))
+        suite.set("failures", str(len(suite.findall("testcase/failure"))))
+        suite.set("errors", str(len(suite.findall("testcase/error"))))
+        suites.append(suite)
     ET.indent(suites)
     return ET.tostring(suites, encoding="unicode", xml_declaration=True) + "\n"
 

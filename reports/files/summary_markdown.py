@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from campaigns.finished import Finished
+from campaigns.gate import Check
 from campaigns.summary import CaseResult
+from reports.files.github import markdown as check_markdown
 from reports.files.markdown import cell, fenced, row
 from reports.pages.front_page import case_words, counts_words
 from reports.pages.report_data import Report
@@ -17,10 +19,13 @@ PLOTS = 2  # of the worst cases
 _WORDS = {"trackworthy": "trackworthy", "not-trackworthy": "not trackworthy", "error": "failed to run"}
 
 
-def markdown(finished: Finished, report: Report) -> str:
-    """The whole file: what came out, the cases from the worst on, two pictures, and how to run it again."""
+def markdown(finished: Finished, report: Report, held: Check | None = None) -> str:
+    """The whole file: what came out, also `held` against a baseline, the cases from the worst on, two pictures, and how
+    to run it again.
+    """
     worst = worst_first(finished)
     good = all(result.passed for result in worst) and all(one.passed is not False for one in finished.searches)
+    good = good and not (held and held.findings)
     lines = [f"## {'✓' if good else '✗'} {cell(finished.campaign.title)}", "", _counted(finished), ""]
     if worst:
         lines += ["| | case | verdict | why |", "| --- | --- | --- | --- |"]
@@ -30,18 +35,17 @@ def markdown(finished: Finished, report: Report) -> str:
     lines += [f"- {cell(search_line(search))}" for search in finished.searches]
     files = [f"figures/{stem}.png" for stem in plots(finished, report)]
     lines += ["", *(line for file in files for line in (f"[![{file}]({file})]({file})", ""))]
+    lines += [check_markdown(held)] if held else []
     lines += ["Again:", "", *fenced([finished.manifest.command or f"trackworthy run {finished.called}"])]
     return "\n".join(lines) + "\n"
 
 
 def worst_first(finished: Finished) -> list[CaseResult]:
-    """What is not as expected; then what is trackworthy, the nearest to a limit first; then what failed as expected."""
-
-    def order(result: CaseResult) -> tuple[int, float, int]:
-        worthy, share, number = severity(result, finished.outcomes.get(result.case.name))
-        return (0 if not result.passed else 1 if worthy else 2, share, number)
-
-    return sorted(finished.results, key=order)
+    """What is not as expected, then what failed as expected, then the others, each by what is left of a limit."""
+    return sorted(
+        finished.results,
+        key=lambda result: (result.passed, *severity(result, finished.outcomes.get(result.case.name))),
+    )
 
 
 def plots(finished: Finished, report: Report) -> list[str]:

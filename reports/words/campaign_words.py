@@ -8,6 +8,7 @@ from campaigns.summary import ERROR, CaseResult
 from reports.words.quantity import counted, number, text
 from reports.words.words import reason, sentence
 from tracking.outcome import Outcome
+from tracking.verdict import EITHER, NOT_TRACKWORTHY, TRACKWORTHY
 
 HEADLINE = "cross_track_p95"
 
@@ -15,6 +16,18 @@ HEADLINE = "cross_track_p95"
 def case_line(result: CaseResult, outcome: Outcome | None) -> str:
     """What became of a case, in one line; `outcome` is that of its worst trial."""
     return f"{mark(result)} {result.case.name}: {_told(result, outcome)}"
+
+
+def case_verdict_words(result: CaseResult) -> str:
+    """TRACKWORTHY, NOT TRACKWORTHY or FAILED TO RUN, and the expectation where it is not to be taken for granted."""
+    if result.verdict == ERROR:
+        return "FAILED TO RUN"
+    word = "TRACKWORTHY" if result.verdict == TRACKWORTHY else "NOT TRACKWORTHY"
+    if result.case.expect == EITHER:
+        return f"{word} (to be compared)"
+    if result.case.expect != NOT_TRACKWORTHY:
+        return word
+    return f"{word} (as expected)" if result.passed else f"{word} (expected not to be)"
 
 
 def mark(result: CaseResult) -> str:
@@ -30,7 +43,7 @@ def _told(result: CaseResult, outcome: Outcome | None) -> str:
         share = f"{found.errors} of {case.trials} trials: " if case.trials > 1 else ""
         return f"{share}{found.first_error}"
     if case.trials == 1:
-        return sentence(outcome) if outcome else "; ".join([result.verdict, *no_path_words(result)])
+        return sentence(outcome) if outcome else "  ".join([case_verdict_words(result), *no_path_words(result)])
     parts = [share_words(result), *no_path_words(result), *spread_words(result)]
     if outcome is not None and result.worst is not None:
         parts.append(f"worst: trial {result.worst.trial}, {reason(outcome)}")

@@ -52,9 +52,11 @@ def _tight(feasibility: Feasibility, stretch: Stretch) -> TightRow:
     left, right = turned(feasibility, stretch)
     side = "both ways" if left > 0.0 and right > 0.0 else "left" if left > 0.0 else "right"
     worst = stretch.worst
+    whole = text(left + right, "rad")
+    to_and_fro = left > 0.0 and right > 0.0 and left + right > 2.0 * math.pi  # as a staircase does
     return TightRow(
         span(stretch.s, stretch.s_end, "m"),
-        f"{text(left + right, 'rad')} {side}",
+        f"to and fro, {whole} in all" if to_and_fro else f"{whole} {side}",
         text(worst.required, "m"),
         text(worst.available, "m"),
         text(-worst.margin, "m"),

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
 
 from reports.words.fleet_words import called
 from reports.words.names import spoken
-from reports.words.quantity import pair, text, text_with_g
+from reports.words.quantity import pair, text, text_with_g, with_article
 from reports.words.struck import EDGE, OBSTACLE, struck
 from reports.words.words import BY_SLOPES, FAULTS, slope_at, too_tight
 from sim.vehicle import GROUND as ON_GROUND
@@ -16,7 +15,6 @@ from sim.vehicle import STALL
 from tracking.metric import Margin
 from tracking.outcome import Outcome
 
-_AN = re.compile(r"8|1[18](?!\d)|[aeio]|RMS")
 _FAULT_WORDS = {STALL: "stalls", ON_GROUND: "hits the ground"}
 
 
@@ -85,12 +83,7 @@ def because(outcome: Outcome, margin: Margin) -> str:
     if math.isinf(stretch.worst.required):
         return f"{which} cannot be flown in this wind at any radius"
     needed, offered = pair(stretch.worst.required, stretch.worst.available, "m")
-    return f"{which} needs {_a(needed)} turn and offers {offered}"
-
-
-def _a(words: str) -> str:
-    """The `words` with their article, as they are spoken: "a 7 m", "an 8 m", "an 11.8 m", "a 110 m", "an RMS"."""
-    return f"{'an' if _AN.match(words) else 'a'} {words}"
+    return f"{which} needs {with_article(needed)} turn and offers {offered}"
 
 
 def _where(outcome: Outcome, margin: Margin) -> str:
@@ -121,7 +114,7 @@ def _cross_track(outcome: Outcome, margin: Margin) -> str:
     share = metric.name.removeprefix("cross_track_p")
     if share.isdigit():
         return f"keeps within {value} of the path for {int(share)} % of the way, where {bound} is allowed"
-    return f"has {_a(spoken(metric.name))} of {value}, where {bound} is allowed"
+    return f"has {with_article(spoken(metric.name))} of {value}, where {bound} is allowed"
 
 
 def _completion(outcome: Outcome, margin: Margin) -> str:
@@ -181,7 +174,8 @@ def _range(outcome: Outcome, margin: Margin) -> str:
 def _other(outcome: Outcome, margin: Margin) -> str:
     value, limit = pair(margin.metric.value, margin.requirement.limit, margin.metric.unit)
     asked = "at most" if margin.requirement.comparison == "<=" else "at least"
-    return f"has {_a(spoken(margin.metric.name))} of {value}{_where(outcome, margin)}, where {asked} {limit} is asked"
+    what = with_article(spoken(margin.metric.name))
+    return f"has {what} of {value}{_where(outcome, margin)}, where {asked} {limit} is asked"
 
 
 # A metric is told by the first start of its name.

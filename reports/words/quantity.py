@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 from planners.units import STANDARD_GRAVITY
 
@@ -85,3 +86,11 @@ def number(value: float, digits: int = 3) -> str:
 def counted(count: int, noun: str) -> str:
     """A number of things: "1 case", "2 cases"."""
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+_AN = re.compile(r"8|1[18](?!\d)|[aeio]|RMS")
+
+
+def with_article(words: str) -> str:
+    """The `words` with their article, as they are spoken: "a 7 m", "an 8 m", "an 11.8 m", "a 110 m", "an RMS"."""
+    return f"{'an' if _AN.match(words) else 'a'} {words}"

@@ -5,26 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from campaigns.conditions import known_wind
-from campaigns.summary import ERROR, CaseResult
+from campaigns.summary import CaseResult
 from reports.words.campaign_words import HEADLINE, no_path_words, share_words
 from reports.words.fleet_words import GROUND, vehicle_words
 from reports.words.names import spoken
 from reports.words.quantity import number, text
-from reports.words.words import closest, missed, place, speed_words, wind_words
+from reports.words.words import closest, missed, place, speed_text, speed_words, wind_words
+from sim.vehicles import ALL_TRUCKS
 from tracking.outcome import Outcome
-from tracking.verdict import EITHER, NOT_TRACKWORTHY, TRACKWORTHY
-
-
-def case_verdict_words(result: CaseResult) -> str:
-    """TRACKWORTHY, NOT TRACKWORTHY or FAILED TO RUN, and the expectation where it is not to be taken for granted."""
-    if result.verdict == ERROR:
-        return "FAILED TO RUN"
-    word = "TRACKWORTHY" if result.verdict == TRACKWORTHY else "NOT TRACKWORTHY"
-    if result.case.expect == EITHER:
-        return f"{word} (to be compared)"
-    if result.case.expect != NOT_TRACKWORTHY:
-        return word
-    return f"{word} (as expected)" if result.passed else f"{word} (expected not to be)"
 
 
 def case_conditions(result: CaseResult, outcome: Outcome) -> tuple[str, ...]:
@@ -44,7 +32,8 @@ def case_setting(result: CaseResult, outcome: Outcome) -> str:
 def planned_setting(result: CaseResult) -> tuple[str, str, str]:
     """Vehicle, controller and speed as the case states them, for one without an outcome."""
     case = result.case
-    speed = case.speed if isinstance(case.speed, str) else "" if case.speed is None else text(case.speed, "m/s")
+    kind = GROUND if Path(case.vehicle).stem in ALL_TRUCKS else ""
+    speed = case.speed if isinstance(case.speed, str) else "" if case.speed is None else speed_text(case.speed, kind)
     return Path(case.vehicle).stem, case.controller, speed
 
 

@@ -6,7 +6,7 @@ import math
 
 from reports.words.fleet_words import GROUND, called, departure_words, ended_words, remedy_words, vehicle_words
 from reports.words.names import spoken
-from reports.words.quantity import pair, text
+from reports.words.quantity import pair, text, with_article
 from sim.planet import ALL_PLANETS, EARTH
 from sim.vehicle import GROUND as ON_GROUND
 from sim.vehicle import NOT_A_NUMBER, STALL
@@ -183,7 +183,7 @@ def _needs(stretch: Stretch) -> str:
     if math.isinf(stretch.worst.required):
         return "cannot be flown in this wind at any radius"
     needed, offered = pair(stretch.worst.required, stretch.worst.available, "m")
-    return f"needs a {needed} radius and offers {offered}"
+    return f"needs {with_article(needed)} radius and offers {offered}"
 
 
 def slope_at(steep: tuple[Slope, ...], s: float) -> Slope | None:

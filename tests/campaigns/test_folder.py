@@ -82,7 +82,7 @@ def test_a_damaged_manifest_is_refused(tmp_path):
     file = write_campaign(tmp_path, FEW)
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "manifest.json").write_text("{")
-    with pytest.raises(InputError, match="not a manifest"), enter(file, tmp_path / "out"):
+    with pytest.raises(InputError, match="is damaged, or of another version"), enter(file, tmp_path / "out"):
         pass
 
 

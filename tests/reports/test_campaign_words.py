@@ -96,7 +96,7 @@ def test_without_the_headline_metric_bias_and_spread_remain():
 
 def test_one_trial_is_told_as_a_run(yard):
     assert case_line(result_of([row(1)]), yard) == f"pass  road: {sentence(yard)}"
-    assert case_line(result_of([row(1, good=False)]), None) == "FAIL  road: not-trackworthy"
+    assert case_line(result_of([row(1, good=False)]), None) == "FAIL  road: NOT TRACKWORTHY"
 
 
 def test_many_trials_are_told_with_the_worst_and_why(sharp_yard):

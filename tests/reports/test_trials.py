@@ -14,9 +14,10 @@ from reports.figures.trials_data import strips
 from reports.figures.trials_figure import trials_figure
 from reports.pages.pdf_rows import counts, summary_rows
 from reports.pages.pdf_trials import trials_data
+from reports.words.campaign_words import case_verdict_words
 from reports.words.condition_words import condition_words
 from reports.words.names import listed
-from reports.words.trials_words import case_verdict_words, worst_name
+from reports.words.trials_words import worst_name
 from sample_results import result_of
 from small_reports import pdf_of
 from tracking.profile import PIECES
@@ -186,7 +187,7 @@ def test_a_case_of_one_trial_is_told_by_its_run(yard):
 
 def test_a_case_without_a_page_has_a_row(yard):
     (row,) = summary_rows([], [result_of(yard)], {})
-    assert (row["vehicle"], row["conditions"], row["page"]) == ("truck", ["8 m/s"], None)
+    assert (row["vehicle"], row["conditions"], row["page"]) == ("truck", ["8 m/s (28.8 km/h)"], None)
     assert row["verdict"] == "not-trackworthy"
 
 
