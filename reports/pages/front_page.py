@@ -133,7 +133,7 @@ def _groups(
 
 
 def _search_row(search: SearchResult) -> dict[str, Json]:
-    words = search_line(search).removeprefix("FAIL ").removeprefix("error ")
+    words = search_line(search).removeprefix("FAIL ").removeprefix("error ").strip()
     return {"case": "", "name": "", "mark": "✗", "good": False, "words": _cut(words)}
 
 
@@ -152,7 +152,7 @@ def _spread(ranked: Sequence[CaseResult], told: Mapping[str, Mapping[str, str]])
 def _row(result: CaseResult, outcome: Outcome | None) -> dict[str, Json]:
     return {
         "case": result.case.name,
-        "name": result.case.name if len(result.case.name) <= 80 else f"{result.case.name[:79]}…",
+        "name": result.case.name,
         "mark": {TRACKWORTHY: "✓", ERROR: "!"}.get(result.verdict, "✗"),
         "good": result.verdict == TRACKWORTHY,
         "words": case_words(result, outcome),
