@@ -14,6 +14,7 @@ from tracking.verdict import TRACKWORTHY
 
 Key = tuple[str, ...]
 _BROADEST = 8  # columns, side by side on a page
+_FEW = 4  # times as many columns as rows
 _MOST = 90  # characters of what all cases have in common, of each dimension
 
 
@@ -50,12 +51,12 @@ def matrix_data(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) 
 
 
 def _balanced(across: list[str], down: list[str], cases: Sequence[Mapping[str, str]]) -> tuple[list[str], list[str]]:
-    """The dimensions across and down; of many columns over few rows the longest dimension stands at the rows."""
+    """The dimensions across and down; of many columns over few rows the longest one stands at the rows."""
 
     def count(which: Sequence[str]) -> int:
         return len({tuple(case[one] for one in which) for case in cases})
 
-    if count(across) <= max(_BROADEST, count(down)):
+    if count(across) <= _BROADEST or count(across) < _FEW * count(down):
         return across, down
     longest = max(across, key=lambda one: count([one]))
     kept = [one for one in down if count([one]) > 1]
