@@ -12,8 +12,9 @@ from campaigns.searches import SearchResult
 from campaigns.summary import ERROR, CaseResult
 from reports.files.json_result import Json
 from reports.words.condition_words import condition_words
-from reports.words.deciding import severity
+from reports.words.deciding import deciding, severity
 from reports.words.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
+from reports.words.names import spoken
 from reports.words.plain_words import plain
 from reports.words.quantity import counted, number
 from reports.words.search_words import search_line
@@ -90,12 +91,19 @@ def case_words(result: CaseResult, outcome: Outcome | None) -> str:
         return _cut(f"{which} failed to run: {found.first_error}")
     if found.no_path and outcome is None:
         return _cut(f"has no path to follow: the planner found none ({found.no_path_reason})")
-    told = plain(outcome) if outcome else "is trackworthy" if result.verdict == TRACKWORTHY else "is not trackworthy"
+    told = plain(outcome) if outcome else _verdict_words(result)
     if case.trials == 1:
         return _cut(told)
     asked = f", where {number(100 * case.pass_share)} % are asked" if case.pass_share < 1.0 else ""
     lost = f", {found.no_path} without a path" if found.no_path else ""
     return _cut(f"{found.trackworthy} of {found.tried} trials are trackworthy{lost}{asked}; the worst {told}")
+
+
+def _verdict_words(result: CaseResult) -> str:
+    """What is known of a case whose worst trial is not shown whole."""
+    words = "is trackworthy" if result.verdict == TRACKWORTHY else "is not trackworthy"
+    decided = result.worst.decided_by if result.worst else ""
+    return f"{words}, decided by {spoken(decided)}: margin {deciding(result, None).words}" if decided else words
 
 
 def _groups(
