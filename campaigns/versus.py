@@ -64,6 +64,8 @@ class Group:
 def versus_groups(results: Sequence[CaseResult], limits: Mapping[str, Limit]) -> list[Group]:
     """Every group of two cases or more, controllers first, then planners, then vehicles; in the order of the cases.
 
+    A group of which none had a path to follow is left out.
+
     Planners and path files are compared where they have a scenario in common. Differences are over trials of the same
     seed where there are such; chance may raise one false alarm in twenty of all that is compared here together.
     `limits` are what the campaign's own gate allows, beside the default ones.
@@ -116,7 +118,11 @@ def _groups(results: Sequence[CaseResult], dimension: str) -> list[list[CaseResu
         if result.statistics.tried and (dimension != "planner" or stated["scenario"]):
             stated.pop("require")
             found.setdefault(key_of(without(stated, dimension)), []).append(result)
-    return [group for group in found.values() if len({_name(one, dimension) for one in group}) > 1]
+    return [
+        group for group in found.values()
+        if len({_name(one, dimension) for one in group}) > 1
+        and any(one.statistics.no_path < one.statistics.tried for one in group)
+    ]  # fmt: skip
 
 
 def _name(result: CaseResult, dimension: str) -> str:

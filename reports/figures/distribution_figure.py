@@ -18,7 +18,7 @@ from reports.figures.scenario_cases import Run, ScenarioRuns
 from reports.figures.scenario_head import draw_scenario_head, scenario_head_height
 from reports.figures.strip_panel import scattered
 from reports.figures.style import BLUE, INK, LIMIT, MUTED, VERMILION, WIDTH, Look, new_figure, place
-from reports.figures.ticks import ticks
+from reports.figures.ticks import FLOOR, ticks
 from reports.figures.trials_data import column
 from reports.words.names import listed
 from reports.words.quantity import KILO, number, shown_in
@@ -109,6 +109,7 @@ def _scale(axes: Axes, one: _Column, width: float) -> None:
     known = np.concatenate([*one.values, [limit for limit in one.limits if np.isfinite(limit)]])
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
     if low > 0.0 and np.log10(high / low) > _DECADES:
+        low = max(low, high / FLOOR)
         axes.set_xscale("log")
         axes.set_xlim(low / 1.4, high * 1.4)
         axes.xaxis.set_major_locator(LogLocator(numticks=max(3, int(width / 0.4))))
@@ -128,6 +129,7 @@ def _draw_row(axes: Axes, row: int, values: Floats, limit: float, at_least: bool
         axes.plot([limit, limit], [row - 0.5, row + 0.5], color=LIMIT, linewidth=1.0, linestyle=(0, (5, 2)), zorder=2)
     if not len(values):
         return
+    values = np.maximum(values, axes.get_xlim()[0])  # what is less than a logarithmic axis shows stands at its start
     missed = (values < limit) if at_least else (values > limit)
     heights = row + scattered(len(values), 0.56 if len(values) > 1 else 0.0)
     dense = len(values) > _MANY

@@ -169,7 +169,6 @@ def _draw_turn(axes: Axes, world: Axes, scenario: Scenario, plan: Plan, exact: S
         axes.plot(*path.xy.T, color=colour, linewidth=1.6, marker="o", markersize=2.8, zorder=3.9)
     axes.set_title(f"Sharpest turn: {_degrees(angle)}")
     ticks_from(axes, *middle)
-    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
 
 
 def _draw_search(axes: Axes, history: History, exact: Sequence[Path]) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from reports.figures.extent import Extent
 from reports.figures.style import INK
 
@@ -20,7 +22,8 @@ def draw_frame(axes: Axes, near: Extent, colour: str = INK) -> None:
     if near.width > _LARGEST * (high - low):
         return
     seen = near.grown(max(0.0, _SMALLEST * (high - low) - near.width) / 2)
-    x, y = (seen.x_min, seen.x_max), (seen.y_min, seen.y_max)
+    # What lies beyond the map is not shown from near only: its frame ends where the map does.
+    x, y = np.clip((seen.x_min, seen.x_max), low, high), np.clip((seen.y_min, seen.y_max), *axes.get_ylim())
     reach = _CORNER * min(seen.width, seen.height)
     for i, across in ((0, reach), (1, -reach)):
         for j, up in ((0, reach), (1, -reach)):

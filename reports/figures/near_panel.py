@@ -32,4 +32,3 @@ def draw_near(axes: Axes, outcome: Outcome, marked: Focus, near: Extent) -> None
     room = min(axes.bbox.width + _OVERHANG * axes.figure.dpi, axes.figure.bbox.width - axes.bbox.x0)
     fit(label, room, _SMALLEST_LABEL)
     ticks_from(axes, marked.x, marked.y)
-    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")

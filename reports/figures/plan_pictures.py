@@ -163,7 +163,7 @@ def _draw_sectors(plans: Mapping[str, PlannedBy], planned: Mapping[str, Plan], s
 def _plan_caption(name: str, one: PlannedBy, plan: Plan) -> str:
     if not plan.paths:
         stuck = ", dashed as far as it came" if came(plan) else ""
-        return f"{name}, seed {one.seed}: {plan.outcome}{stuck}; thin, the exact shortest path."
+        return f"{name}, seed {one.seed}: {plan.outcome}{stuck}."
     if len(plan.paths) > 1:
         before = [f"dashed, those after {plan.stages[-2].name}"] if len(plan.stages) > 1 else []
         parts = ["the paths", *before, "the sharpest turn from near"]

@@ -95,7 +95,6 @@ def draw_turn(axes: Axes, scenario: Scenario, plan: Plan, exact: Sequence[Path],
         textcoords="offset points", va="bottom",
     )  # fmt: skip
     ticks_from(axes, *place)
-    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
 
 
 def draw_exact(axes: Axes, exact: Sequence[Path]) -> None:

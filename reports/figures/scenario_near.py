@@ -44,7 +44,6 @@ def draw_worst_place(
     ring = mark_look("", "o", 12.0, "none", MARK[marked.alarm])
     axes.plot(marked.x, marked.y, **{**ring, "markeredgewidth": 1.8, "zorder": 8})
     ticks_from(axes, marked.x, marked.y)
-    axes.set(xlabel="east of it [m]", ylabel="north of it [m]")
     title = axes.set_title(marked.title, pad=_TITLE_PAD)
     told = axes.annotate(
         marked.label, (0.0, 1.0), xycoords="axes fraction", xytext=(0.0, _LABEL_PAD),

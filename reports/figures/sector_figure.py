@@ -55,7 +55,7 @@ def sector_figure(scenario: Scenario, planners: Mapping[str, AstarArcPaper]) -> 
             box = Box(LEFT + column * (side + _GAP), _TOP + row * (side + _BETWEEN), side, side)
             axes = place(figure, box.left, box.top, box.width, box.height)
             _draw(axes, scenario, planner.planned_speed, found, node, reach)
-            axes.set(xlabel="east of it [m]" if row else "", ylabel="" if column else "north of it [m]")
+            axes.set(xlabel=axes.get_xlabel() if row else "", ylabel="" if column else axes.get_ylabel())
     entries = [*ground_entries(scenario)[:2], *(Line2D([], [], **look) for look in (_WAY, _CHILD, _HIDDEN, _ARC))]
     figure.legend(
         handles=entries, loc="upper left", ncols=len(entries), borderaxespad=0.0, columnspacing=1.3, handletextpad=0.6,

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _THINNEST_BAR = 0.006  # of the path's length
 _BAR, _HEADROOM = 0.93, 1.25  # where the bar begins, of the panel's height, and how far the axis goes beyond the values
+_BROAD = 0.4  # of the path, what holds "not reached" even in a small panel
 _MOST_NEEDED = 3.0  # times the limit, up to which the axis goes for what a path needs: a corner may need any
 
 
@@ -119,8 +120,11 @@ def mark_unreached(axes: Axes, outcome: Outcome) -> None:
             linewidth=0,
             zorder=0.5,
         )
+        # Where there is no room in the middle of it, before its end.
+        broad = outcome.path.length - reached > _BROAD * outcome.path.length
         axes.text(
-            (reached + outcome.path.length) / 2, 0.08, "not reached", transform=axes.get_xaxis_transform(),
-            ha="center", va="bottom", color=MUTED, fontsize=7.5,
+            (reached + outcome.path.length) / 2 if broad else outcome.path.length, 0.08, "not reached",
+            transform=axes.get_xaxis_transform(), ha="center" if broad else "right", va="bottom",
+            color=MUTED, fontsize=7.5,
             bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 1.5},
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from reports.figures.style import ROUND_TICKS
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
 
 BROAD, HIGH = 0.7, 0.3  # [in] between the ticks of an x and of a y axis
+FLOOR = 1e4  # the largest value against the least that a logarithmic axis tells apart: less is rounding
 _IN_KM = 3000.0  # [m] a longer axis is labelled in km
 
 
@@ -29,9 +31,11 @@ def ticks(axis: Axis, room: float, scale: float = 1.0) -> None:
 
 
 def ticks_from(axes: Axes, x: float, y: float) -> None:
-    """A few round ticks on both axes, labelled with the distance from `x`, `y`."""
+    """A few round ticks on both axes, labelled with the distance from `x`, `y`; and which axis it is."""
+    scale, unit = length_unit(max(float(np.ptp(axis.get_view_interval())) for axis in (axes.xaxis, axes.yaxis)))
     for axis, zero in ((axes.xaxis, x), (axes.yaxis, y)):
         low, high = (float(end) - zero for end in axis.get_view_interval())
         places = MaxNLocator(nbins=4, steps=list(ROUND_TICKS)).tick_values(low, high)
         shown = [float(tick) for tick in places if low <= tick <= high]
-        axis.set_ticks([zero + tick for tick in shown], [number(tick, 4) for tick in shown])
+        axis.set_ticks([zero + tick for tick in shown], [number(tick / scale, 4) for tick in shown])
+    axes.set(xlabel=f"east of it [{unit}]", ylabel=f"north of it [{unit}]")

@@ -27,6 +27,7 @@ _SHARES, _ANSWERS = 1.25, 0.62  # [in] of the last column: "18 of 20 (68 to 99 %
 _ABOVE, _LINE, _TITLE, _AXIS, _ROW, _HEAD, _KEY = 0.33, 0.15, 0.14, 0.46, 0.22, 0.26, 0.22  # [in] heights
 _UNNAMED = 0.08  # [in] above a group that needs no name
 _LETTERS, _ABOUT = 20, 118  # of a row's name, of a line below the title
+_DECADE = 0.42  # [in] between the ticks of a logarithmic axis
 _DASHES = (0, (5, 2))
 _REFERENCE, _ALIKE = "reference", "alike"
 # The marks, told apart by their shapes as well
@@ -106,7 +107,7 @@ def _draw_columns(figure: Figure, group: Group, shown: Sequence[Column], top: fl
 def _scale(axes: Axes, column: Column, width: float) -> None:
     if column.logarithmic:
         axes.set_xscale("log")
-        axes.xaxis.set_major_locator(LogLocator(numticks=5))
+        axes.xaxis.set_major_locator(LogLocator(numticks=max(3, int(width / _DECADE))))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: number(value, 3)))
         axes.xaxis.set_minor_locator(NullLocator())
     else:
@@ -121,7 +122,8 @@ def _draw_value(axes: Axes, group: Group, row: int, column: Column) -> None:
         axes.annotate("n/a", (0.02, row), xycoords=("axes fraction", "data"), va="center", color=MUTED, fontsize=7)
         return
     look = _MARKS[_kind(group, row, column.metric)]
-    low, median, high = (column.factor * value for value in (spread.p5, spread.median, spread.p95))
+    values = (column.factor * value for value in (spread.p5, spread.median, spread.p95))
+    low, median, high = (max(column.low, value) for value in values)
     axes.plot([low, high], [row, row], color=look["color"], linewidth=1.6, zorder=3)
     axes.plot(median, row, markersize=5, markeredgewidth=1.2, linestyle="none", zorder=4, clip_on=False, **look)
 

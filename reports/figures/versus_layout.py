@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from campaigns.versus import TRACKWORTHY_SHARE, Group, unit_of
 from planners.units import degrees
-from reports.figures.ticks import length_unit
+from reports.figures.ticks import FLOOR, length_unit
 from reports.words.quantity import KILO
 from reports.words.versus_words import Family
 
@@ -83,6 +83,7 @@ def _column(groups: Sequence[Group], metric: str) -> Column:
     factor, unit = _shown(unit_of(members[0].result, metric)[0], max(abs(one.p95) for one in spreads))
     low, high = factor * min(one.p5 for one in spreads), factor * max(one.p95 for one in spreads)
     if low > 0.0 and high / low > _HUGE:
+        low = max(low, high / FLOOR)
         return Column(metric, factor, unit, low / 1.3, high * 1.3, True)
     room = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
     start = 0.0 if 0.0 <= low < 0.5 * high else low - room

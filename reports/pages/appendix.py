@@ -94,7 +94,7 @@ def _which(names: Sequence[str], results: Sequence[CaseResult]) -> str:
         return f"all {counted(len(names), 'case')}" if len(names) > 1 else "the case"
     for vehicle in dict.fromkeys(result.case.vehicle for result in results):
         if {result.case.name for result in results if result.case.vehicle == vehicle} == set(names):
-            return f"all {len(names)} with {Path(vehicle).stem}"
+            return f"all {len(names)} with {Path(vehicle).stem}" if len(names) > 1 else names[0]
     return few(names)
 
 

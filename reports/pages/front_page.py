@@ -11,8 +11,9 @@ from campaigns.search import ScaleSearch, SpeedSearch
 from campaigns.searches import SearchResult
 from campaigns.summary import ERROR, CaseResult
 from reports.files.json_result import Json
-from reports.words.deciding import severity
+from reports.words.deciding import deciding, severity
 from reports.words.dimensions import CONDITIONS, CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
+from reports.words.names import spoken
 from reports.words.plain_words import plain
 from reports.words.quantity import counted, number
 from reports.words.search_words import search_line
@@ -94,12 +95,20 @@ def case_words(result: CaseResult, outcome: Outcome | None) -> str:
         return _cut(f"{which} failed to run: {found.first_error}")
     if result.worst is None:
         return _cut(f"has no path to follow: the planner found none ({found.no_path_reason})")
-    told = plain(outcome) if outcome else f"is {'' if result.worst.trackworthy else 'not '}trackworthy"
+    told = plain(outcome) if outcome else _verdict_words(result)
     if case.trials == 1:
         return _cut(told)
     asked = f", where {number(100 * case.pass_share)} % are asked" if case.pass_share < 1.0 else ""
     lost = f", {found.no_path} without a path" if found.no_path else ""
     return _cut(f"{found.trackworthy} of {found.tried} trials are trackworthy{lost}{asked}; the worst {told}")
+
+
+def _verdict_words(result: CaseResult) -> str:
+    """What is known of the worst trial where it is not shown whole."""
+    worst = result.worst
+    words = "is trackworthy" if worst and worst.trackworthy else "is not trackworthy"
+    decided = worst.decided_by if worst else ""
+    return f"{words}, decided by {spoken(decided)}: margin {deciding(result, None).words}" if decided else words
 
 
 def _groups(
@@ -140,7 +149,7 @@ def _groups(
 
 
 def _search_row(search: SearchResult) -> dict[str, Json]:
-    words = search_line(search).removeprefix("FAIL ").removeprefix("error ")
+    words = search_line(search).removeprefix("FAIL ").removeprefix("error ").strip()
     return {"case": "", "name": "", "mark": "✗", "good": False, "words": _cut(words)}
 
 
@@ -159,7 +168,7 @@ def _spread(ranked: Sequence[CaseResult], told: Mapping[str, Mapping[str, str]])
 def _row(result: CaseResult, outcome: Outcome | None) -> dict[str, Json]:
     return {
         "case": result.case.name,
-        "name": result.case.name if len(result.case.name) <= 80 else f"{result.case.name[:79]}…",
+        "name": result.case.name,
         "mark": {TRACKWORTHY: "✓", ERROR: "!"}.get(result.verdict, "✗"),
         "good": result.verdict == TRACKWORTHY,
         "words": case_words(result, outcome),

@@ -13,6 +13,8 @@ from tracking.outcome import Outcome
 from tracking.verdict import TRACKWORTHY
 
 Key = tuple[str, ...]
+_BROADEST = 8  # columns, side by side on a page
+_FEW = 4  # times as many columns as rows
 _MOST = 90  # characters of what all cases have in common, of each dimension
 
 
@@ -25,8 +27,7 @@ def matrix_data(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) 
     told = dict(zip((result.case.name for result in results), dimensions(results, outcomes), strict=True))
     varying = [one for one in DIMENSIONS if len({case[one] for case in told.values()}) > 1]
     across, down = [one for one in COLUMNS if one in varying], [one for one in ROWS if one in varying]
-    if not down:
-        down = [ROWS[0]]
+    across, down = _balanced(across, down or [ROWS[0]], list(told.values()))
     groups: dict[tuple[Key, Key], list[CaseResult]] = {}
     for result in results:
         case = told[result.case.name]
@@ -47,6 +48,19 @@ def matrix_data(results: Sequence[CaseResult], outcomes: Mapping[str, Outcome]) 
         ],
         "same": [*same],
     }
+
+
+def _balanced(across: list[str], down: list[str], cases: Sequence[Mapping[str, str]]) -> tuple[list[str], list[str]]:
+    """The dimensions across and down; of many columns over few rows the longest one stands at the rows."""
+
+    def count(which: Sequence[str]) -> int:
+        return len({tuple(case[one] for one in which) for case in cases})
+
+    if count(across) <= _BROADEST or count(across) < _FEW * count(down):
+        return across, down
+    longest = max(across, key=lambda one: count([one]))
+    kept = [one for one in down if count([one]) > 1]
+    return [one for one in across if one != longest], [*kept, longest]
 
 
 def _order(columns: Sequence[Key]) -> Callable[[Key], list[int]]:

@@ -30,6 +30,22 @@ def write_pdf(report: Report, figures: Path, file: str | Path, paper: str = "a4"
 def _compiled(report: Report, figures: Path, paper: str, folder: Path) -> bytes:
     import typst
 
+    source, bundled = prepared(report, figures, paper, folder)
+    try:
+        pdf = typst.compile(
+            str(source),
+            root=str(folder),
+            format="pdf",
+            font_paths=[],
+            ignore_system_fonts=bundled,
+        )
+    except typst.TypstError as error:
+        raise TrackworthyError(f"the PDF could not be typeset: {error}") from error
+    return bytes(pdf)
+
+
+def prepared(report: Report, figures: Path, paper: str, folder: Path) -> tuple[Path, bool]:
+    """Write all that typst needs into `folder`; returns the file to compile, and whether bundled fonts are enough."""
     data = json.dumps({**report.data, "paper": paper}, ensure_ascii=False)
     # Text reaches typst as data only: nothing a user named can become markup or code.
     (folder / "report.json").write_text(data, encoding="utf-8")
@@ -38,17 +54,7 @@ def _compiled(report: Report, figures: Path, paper: str, folder: Path) -> bytes:
     for one in report.drawings:
         svg = (figures / one.svg).read_text(encoding="utf-8")
         (folder / one.svg).write_text(_without_head(svg, one.head) if one.head else svg, encoding="utf-8")
-    try:
-        pdf = typst.compile(
-            str(folder / "report.typ"),
-            root=str(folder),
-            format="pdf",
-            font_paths=[],
-            ignore_system_fonts=_bundled(data),
-        )
-    except typst.TypstError as error:
-        raise TrackworthyError(f"the PDF could not be typeset: {error}") from error
-    return bytes(pdf)
+    return folder / "report.typ", _bundled(data)
 
 
 def _without_head(svg: str, head: float) -> str:

@@ -10,7 +10,7 @@ from campaigns.search import ScaleSearch, SpeedSearch
 from campaigns.search_steps import Step
 from campaigns.searches import SearchResult
 from reports.files.json_result import Json
-from reports.words.quantity import number, text
+from reports.words.quantity import KILO, number, text
 from reports.words.words import missed, place, speed_text
 from tracking.metric import Margin, Metric, Requirement
 
@@ -48,8 +48,9 @@ def beside_words(result: SearchResult) -> str:
         return f"planned for {_quantity(result, search.planned_for)}" if search.planned_for else ""
     if at is None or result.size is None:
         return ""
-    width, height = (side * at / 1000.0 for side in result.size)
-    return f"{number(width)} × {number(height)} km"
+    factor, unit = (1.0, "m") if max(result.size) * at < KILO else (1.0 / KILO, "km")
+    width, height = (side * at * factor for side in result.size)
+    return f"{number(width)} × {number(height)} {unit}"
 
 
 def failing_words(result: SearchResult) -> str:

@@ -9,7 +9,7 @@ from campaigns.conditions import ConditionKeys
 from campaigns.difference import BETTER, CHANCE, SAME, SMALL, WORSE
 from campaigns.limits import Limit
 from campaigns.versus import TRACKWORTHY_SHARE, versus_groups
-from sample_results import made_result
+from sample_results import made_result, unplanned
 
 ONE = {"cross_track_p95": [1.0]}
 
@@ -115,3 +115,10 @@ def test_what_could_not_be_measured_is_not_compared():
     (other,) = (m for i, m in enumerate(group.members) if i != group.reference)
     assert other.differences["cross_track_p95"].pairs == 1
     assert other.differences["cross_track_p95"].outcome == SAME
+
+
+def test_what_had_no_path_is_not_compared():
+    lost = [unplanned(name, planner=name) for name in ("exact", "astar-eight")]
+    assert groups(*lost) == []
+    found = made_result(ONE, scenario="slalom-1000x600", planner="aco-improved", path="")
+    assert [len(group.members) for group in groups(*lost, found)] == [3]

@@ -103,3 +103,9 @@ def test_the_first_page_is_one_page(route, tmp_path, count, paper):
     data = report_of([], NAMES[0]).data | {"front": told}
     write_pdf(Report(data, [], []), tmp_path, tmp_path / "a.pdf", paper)
     assert len(re.findall(rb"/Type\s*/Page\b", (tmp_path / "a.pdf").read_bytes())) == 1
+
+
+def test_a_case_that_is_not_shown_whole_says_what_decides_it(yard):
+    assert case_words(result_of(yard, trials=1, bad=1), None).startswith(
+        "is not trackworthy, decided by cross-track error: margin −"
+    )

@@ -1,5 +1,7 @@
 import dataclasses
 
+import msgspec
+
 from reports.pages.matrix import matrix_data
 from reports.pages.shades import shade
 from reports.words.deciding import deciding
@@ -102,3 +104,17 @@ def test_more_margin_is_darker_on_its_own_side():
         assert shade(5.0 * side, good) == shade(side, good)
     assert int(shade(1.0, True)[0][1:3], 16) < int(shade(1.0, True)[0][5:7], 16)
     assert int(shade(-1.0, False)[0][1:3], 16) > int(shade(-1.0, False)[0][5:7], 16)
+
+
+def test_many_columns_over_few_rows_become_rows(yard):
+    speeds, controllers = [f"{10 + 5 * i}km/h" for i in range(6)], ("lqr", "stanley")
+    results, outcomes = cases(yard, *({"controller": one} for _ in speeds for one in controllers))
+    results = [
+        dataclasses.replace(one, case=msgspec.structs.replace(one.case, speed=speeds[i // 2]))
+        for i, one in enumerate(results)
+    ]
+    told = matrix_data(results, outcomes)
+    assert (told["down"], told["across"]) == (["speed"], ["controller"])
+    assert len(told["rows"]) == 6
+    assert all(cell for row in told["cells"] for cell in row)
+    assert "path a.csv" in told["same"]

@@ -173,3 +173,11 @@ def test_a_report_gets_tables_and_the_figures_they_name():
     (part,) = pickle.loads(pickle.dumps(drawings[0].arguments))  # other processes draw
     assert part.names == ("8.33 m/s (30 km/h)", "12.5 m/s (45 km/h)")
     assert versus_section(results(controllers=["lqr"]), {}) == ([], [])
+
+
+def test_a_logarithmic_axis_does_not_reach_down_to_rounding():
+    errors = {"lqr": 1e-9, "l1": 0.02, "stanley": 20.0}
+    cases = [made_result({"cross_track_p95": [value]}, controller=name) for name, value in errors.items()]
+    (column,) = columns(versus_groups(cases, {}))
+    assert column.logarithmic
+    assert 1e-4 < column.low < column.high / 1e4

@@ -150,7 +150,8 @@ def test_a_missing_baseline_is_one_line_and_exit_code_2(good, check, options):
     code, out, err = check(good, "--baseline", "nowhere.json", *options)
     assert (code, out) == (2, "")
     assert one_line(err) == (
-        "trackworthy: nowhere.json: there is no such baseline; make one of good results: trackworthy check DIR --baseline FILE --update\n"
+        "trackworthy: nowhere.json: there is no such baseline; make one of good results: "
+        "trackworthy check DIR --baseline FILE --update\n"
     )
 
 

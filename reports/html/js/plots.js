@@ -9,6 +9,7 @@ const FONT = 'system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", 
 const CONFIG = { displaylogo: false, responsive: true, modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]] };
 const MODEBAR = { bgcolor: "rgba(255,255,255,0.85)", color: MUTED, activecolor: BLUE };
 const PANEL_HEIGHT = 142, FIRST_EXTRA = 1.45; // [px] of a panel; the first, the error, is higher
+const NARROW = 600; // [px] of the window
 const KILO_FROM = 10000; // [m] beyond which axes are in kilometres
 
 function axis(title, more) {
@@ -91,7 +92,9 @@ function panelLayout(panels, vehicles, label, own) {
     layout[key] = axis(plain(`[${panel.unit}]`), { domain: [Math.max(0, floor + gap / 4), top], range: rangeOf(panel, vehicles, own), nticks: 6 });
     const legend = [panel.upper && "dashed: limits", panel.command && "dotted: commanded", panel.needed && "purple: what the path needs",
       panel.corridor !== null && `shaded: corridor ±${metres(panel.corridor)}; left is positive`].filter(Boolean).join(" · ");
-    layout.annotations.push({ text: `<b>${plain(panel.title)}</b>  <span style="color:${MUTED}">${plain(legend)}</span>`, showarrow: false, xref: "paper",
+    // A narrow screen has room for little, and for none beside the buttons over the first panel.
+    const room = window.innerWidth > NARROW || (i > 0 && legend.length < 36);
+    layout.annotations.push({ text: `<b>${plain(panel.title)}</b>  <span style="color:${MUTED}">${room ? plain(legend) : ""}</span>`, showarrow: false, xref: "paper",
       yref: "paper", x: 0, y: top, xanchor: "left", yanchor: "bottom", font: { size: 12 }, align: "left" });
     if (panel.corridor !== null) {
       layout.shapes.push({ type: "rect", xref: "paper", x0: 0, x1: 1, yref: i === 0 ? "y" : `y${i + 1}`, y0: -panel.corridor, y1: panel.corridor,

@@ -20,8 +20,14 @@ function violationsTable(one) {
 /** Cases that differ in one thing, side by side: value and spread, below it the difference to the best. */
 function versusTable(told) {
   return [make("h4", {}, told.title, " ", make("span", { class: "muted small" }, told.about)),
-    told.blocks.map((part) => table([[part.name], ["trackworthy", "number"], ...part.metrics.map((words) => [words, "number"])],
-      part.rows.map((row) => [[caseLink(row.case, row.name), row.reference && make("div", { class: "muted small" }, row.reference)], row.share, ...row.cells.map(versusCell)]))),
+    told.blocks.map((part) => {
+      // The share of trackworthy trials is told with its count, in its own column or among the metrics.
+      const shared = part.metrics.indexOf("trackworthy");
+      const cells = (row) => row.cells.map((cell, i) => versusCell(i === shared ? { ...cell, value: row.share } : cell));
+      return table([[part.name], ...(shared < 0 ? ["trackworthy"] : []).concat(part.metrics).map((words) => [words, "number"])],
+        part.rows.map((row) => [[caseLink(row.case, row.name), row.reference && make("div", { class: "muted small whole" }, row.reference)],
+          ...(shared < 0 ? [row.share] : []), ...cells(row)]));
+    }),
     told.note && make("p", { class: "muted small" }, told.note), pictures(told.figures)];
 }
 
