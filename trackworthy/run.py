@@ -125,6 +125,7 @@ def _answer(finished: Finished, folder: Path) -> int:
     from campaigns.attempt import INPUT
     from planners.errors import InputError, TrackworthyError
     from reports.words.campaign_words import case_line
+    from reports.words.quantity import counted
     from reports.words.search_words import search_line
 
     results, searches = finished.results, finished.searches
@@ -136,9 +137,11 @@ def _answer(finished: Finished, folder: Path) -> int:
     asked = [search.passed for search in searches if search.passed is not None]
     kinds = [result.statistics.kinds for result in results if result.statistics.errors]
     kinds += [frozenset({search.found.kind}) for search in searches if search.found.error]
-    found = f" and {sum(asked)} of {len(asked)} searches" if asked else ""
+    tried = [f"{passed} of {counted(len(results), 'case')}"] if results else []
+    tried += [f"{sum(asked)} of {len(asked)} searches"] if asked else []
     failures = f", {len(kinds)} failed to run" if kinds else ""
-    print(f"{passed} of {len(results)} cases{found} as expected{failures}; report: {folder / 'report.pdf'}")
+    told = f"{' and '.join(tried)} as expected" if tried else f"{len(searches)} searches made"
+    print(f"{told}{failures}; report: {folder / 'report.pdf'}, {folder / 'report.html'}")
     if kinds:
         only_input = frozenset[str]().union(*kinds) == {INPUT}
         return InputError.exit_code if only_input else TrackworthyError.exit_code

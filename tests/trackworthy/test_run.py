@@ -136,7 +136,7 @@ def test_an_unknown_campaign_names_those_there_are(capfd):
 def test_one_case_can_be_repeated_alone(tmp_path, capfd):
     name = campaign(tmp_path, CASE + "speed = [10, 12]\n")
     assert main(["run", name, "--case", "line 12"]) == 0
-    assert "1 of 1 cases as expected" in capfd.readouterr().out
+    assert "1 of 1 case as expected" in capfd.readouterr().out
     assert (tmp_path / "runs" / "mine-line-12" / "report.pdf").is_file()
     assert main(["run", name, "--case", "line 13"]) == 2
     assert "no case 'line 13'; did you mean 'line 12'?" in capfd.readouterr().err
@@ -340,7 +340,7 @@ def test_pass_share_and_expect_decide_over_many_trials(tmp_path, capfd, share):
     *lines, last = capfd.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == [word for _, word in settings]
     assert all(f": {round(8 * share)} of 8 trials trackworthy (" in line for line in lines)
-    assert last == "3 of 6 cases as expected; report: out/report.pdf"
+    assert last == "3 of 6 cases as expected; report: out/report.pdf, out/report.html"
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())["cases"]
     assert [case["share"] for case in summary] == [share] * 6
     assert [case["passed"] for case in summary] == [word == "pass" for _, word in settings]
