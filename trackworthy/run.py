@@ -140,7 +140,11 @@ def _answer(finished: Finished, folder: Path) -> int:
     tried = [f"{passed} of {counted(len(results), 'case')}"] if results else []
     tried += [f"{sum(asked)} of {len(asked)} searches"] if asked else []
     failures = f", {len(kinds)} failed to run" if kinds else ""
-    told = f"{' and '.join(tried)} as expected" if tried else f"{len(searches)} searches made"
+    told = (
+        f"{' and '.join(tried)} as expected"
+        if tried
+        else f"{len(searches)} search{'' if len(searches) == 1 else 'es'} made"
+    )
     print(f"{told}{failures}; report: {folder / 'report.pdf'}, {folder / 'report.html'}")
     if kinds:
         only_input = frozenset[str]().union(*kinds) == {INPUT}

@@ -224,7 +224,7 @@ def test_a_search_is_told_in_the_answer_the_summary_and_the_report(tmp_path, cap
     assert (told[0]["passed"], told[0]["planner"], told[0]["failing"]["unit"] < unit) == (None, "bend", True)
     out = capfd.readouterr().out
     assert out.startswith("scale bend: smallest scale: ")
-    assert " m a map unit (0.1" in out
+    assert " m a map unit (1" in out
     assert "; at " in out
     assert (tmp_path / "out" / "report.pdf").read_bytes().startswith(b"%PDF")
     before = (tmp_path / "out" / "summary.json").read_bytes()
