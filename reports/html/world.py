@@ -105,6 +105,8 @@ def _raster(raster: Raster) -> Json:
         "y": raster.y,
         "width": columns * raster.cell,
         "height": rows * raster.cell,
+        "columns": columns,
+        "rows": rows,
     }
 
 

@@ -63,7 +63,6 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   const mapBox = make("div", { class: "map-box" });
   const mapPlot = make("div", { class: "plot", id: "map", role: "img", "aria-label": `Map of ${row.name}: obstacles, planned path, corridor and track` });
   const canvas = make("canvas", { id: "vehicles", "aria-hidden": "true" });
-  const sides = (one.view[2] - one.view[0]) / (one.view[3] - one.view[1]);
   const attitude = make("canvas", { class: "attitude", role: "img", "aria-label": one.kind === "ground" ? "Steering of the front wheels" : "Attitude: bank and pitch" });
   const plotsBox = make("div", { class: "plots-box" });
   const plots = make("div", { id: "plots", role: "img", "aria-label": `Error and other series of ${row.name}` });
@@ -79,15 +78,15 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   let following = false;
   let moved = 0;
   const player = new Player(vehicles, () => show());
-  const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${run.focus.title}`);
-  const panel = controls(player, (on) => { following = on; moved = 0; if (!on) wholeMap(); show(); });
-  if (worst) panel.element.append(worst);
+  const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${focusWords(run.focus)}`);
+  const panel = controls(player, worst, (on) => { following = on; moved = 0; if (!on) wholeMap(); show(); });
+  const legend = make("div", { class: "legend" });
   stage.replaceChildren();
-  fill(stage, [choices(row, one, index, followed, again), mapLegend(one, run, vehicles),
-    make("div", { class: "stage" }, make("div", {}, mapBox, panel.element,
-      make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")),
-    make("div", { class: "instruments" }, attitude, live.element)),
-    make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale, not the corridor's")), plotsBox]);
+  fill(stage, [choices(row, one, index, followed, again), panel.element, make("div", { class: "workbench" },
+    make("div", { class: "seen" }, make("div", { class: "ground" }, mapBox, legend), make("div", { class: "instruments" }, attitude, live.element)),
+    make("div", { class: "series" }, make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale, not the corridor's")), plotsBox)),
+    make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")]);
+  fill(legend, mapLegend(one, run, vehicles, sizeMap(mapBox, one)));
 
   function show() {
     const states = vehicles.map((vehicle) => stateAt(vehicle, player.clock));
@@ -143,7 +142,11 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
 
   let gone = false;
   const keys = (event) => replayKeys(event, player);
-  const resized = () => show();
+  const resized = () => {
+    sizeMap(mapBox, one);
+    if (scale) window.Plotly.Plots.resize(mapPlot);
+    show();
+  };
   document.addEventListener("keydown", keys);
   window.addEventListener("resize", resized);
   shownCase = { player, run, stop: () => {
@@ -155,7 +158,6 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   show();
   withPlotly(async () => {
     if (gone) return;
-    mapBox.style.height = `${Math.round(Math.min(640, Math.max(300, mapBox.clientWidth / sides + 60)))}px`;
     scale = await drawMap(mapPlot, one, run, vehicles);
     await drawPlots();
     if (gone) return;
