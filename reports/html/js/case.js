@@ -74,8 +74,10 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   fill(mapBox, [mapPlot, canvas]);
   fill(plotsBox, [plots, cursor]);
   let scale = null; // of the map, once it is drawn
+  let corner = null; // of the map, where the wind is told
   let plotted = null;
   let following = false;
+  let gone = false;
   let moved = 0;
   const player = new Player(vehicles, () => show());
   const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${focusWords(run.focus)}`);
@@ -84,7 +86,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   stage.replaceChildren();
   fill(stage, [choices(row, one, index, followed, again), panel.element, make("div", { class: "workbench" },
     make("div", { class: "seen" }, make("div", { class: "ground" }, mapBox, legend), make("div", { class: "instruments" }, attitude, live.element)),
-    make("div", { class: "series" }, make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale, not the corridor's")), plotsBox)),
+    make("div", { class: "series" }, make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale")), plotsBox)),
     make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")]);
   fill(legend, mapLegend(one, run, vehicles, sizeMap(mapBox, one)));
 
@@ -95,7 +97,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     drawAttitude(attitude, one, states[followed]);
     if (scale) {
       if (following) followVehicle(states[followed]);
-      const at = drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed)[followed];
+      const at = drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed, corner)[followed];
       canvas.dataset.x = at[0].toFixed(1);
       canvas.dataset.y = at[1].toFixed(1);
     }
@@ -125,6 +127,10 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     window.Plotly.relayout(mapPlot, { "xaxis.range": [x - half, x + half], "yaxis.range": [y - half, y + half] });
   }
 
+  function placeWind() {
+    if (!gone && !following) corner = windCorner(mapPlot, scale, run, vehicles);
+  }
+
   function wholeMap() {
     const [west, south, east, north] = one.view.map((value) => value / scale);
     window.Plotly.relayout(mapPlot, { "xaxis.range": [west, east], "yaxis.range": [south, north] });
@@ -132,7 +138,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
 
   function drawPlots() {
     const told = panelTraces(vehicles, followed, over.value);
-    const layout = panelLayout(told.panels, vehicles, told.label, own.checked);
+    const layout = panelLayout(told.panels, vehicles, told.label, own.checked, plotsBox.clientWidth);
     plots.style.height = `${layout.height}px`;
     return window.Plotly.react(plots, told.traces, layout, CONFIG).then(() => {
       plotted = told;
@@ -140,11 +146,10 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     });
   }
 
-  let gone = false;
   const keys = (event) => replayKeys(event, player);
   const resized = () => {
     sizeMap(mapBox, one);
-    if (scale) window.Plotly.Plots.resize(mapPlot);
+    if (scale) window.Plotly.Plots.resize(mapPlot).then(placeWind);
     show();
   };
   document.addEventListener("keydown", keys);
@@ -159,6 +164,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   withPlotly(async () => {
     if (gone) return;
     scale = await drawMap(mapPlot, one, run, vehicles);
+    placeWind();
     await drawPlots();
     if (gone) return;
     const jump = (event) => { player.go(Number(event.points[0].customdata)); };

@@ -2,7 +2,7 @@
 
 const BESIDE = "(min-width: 1100px)"; // map and plots lie side by side, as the style sheet has it
 const LEAST_MAP = 230, MOST_MAP = 780; // [px]
-const BELOW_MAP = 350; // [px] of the window for the controls, the legend and the instruments
+const BELOW_MAP = 430; // [px] of the window for the head, the controls, the legend and the instruments
 const MAP_EDGES = [68, 52]; // [px] beside and below the map, for its axes
 const THIN = 2; // [px] below which a corridor is not seen
 
@@ -38,8 +38,8 @@ function mapTraces(one, run, vehicles, scale) {
   for (const path of paths) traces.push(area(path.corridor, scale, CORRIDOR_FILL, null, "corridor"));
   vehicles.forEach((vehicle, i) => traces.push(line(times(vehicle.columns.x, 1 / scale), times(vehicle.columns.y, 1 / scale), MEMBERS[i % MEMBERS.length],
     vehicles.length > 1 ? `vehicle ${vehicle.number}` : one.kind === "ground" ? "driven" : "flown",
-    { line: { width: 2.8 }, trace: { customdata: Array.from(vehicle.clock), hovertemplate: "at %{customdata:.1f} s<extra>%{fullData.name}</extra>" } })));
-  for (const path of paths) traces.push({ ...area([path.line], scale, null, INK, "planned path"), line: { color: INK, width: 1.1, dash: "5px,4px" } });
+    { line: { width: 3.2 }, trace: { customdata: Array.from(vehicle.clock), hovertemplate: "at %{customdata:.1f} s<extra>%{fullData.name}</extra>" } })));
+  for (const path of paths) traces.push({ ...area([path.line], scale, null, INK, "planned path"), line: { color: INK, width: 1.1, dash: "6px,6px" } });
   for (const path of paths) traces.push(...ends(path, scale));
   if (run.focus) {
     const { x, y, title, label, alarm, clock } = run.focus;
@@ -57,10 +57,10 @@ function ends(path, scale) {
   return [mark(0, "circle", "start"), mark(last, "square", "goal")];
 }
 
-/** Cells as a trace, not as an image of the layout, which would lie below the grid. */
+/** Cells as a trace, from the south-west on: an image of the layout would lie below the grid. */
 function picture({ picture: source, x, y, width, height, columns, rows }, scale) {
   const [dx, dy] = [width / columns / scale, height / rows / scale];
-  return { type: "image", source, x0: x / scale + dx / 2, y0: (y + height) / scale - dy / 2, dx, dy: -dy, hoverinfo: "skip" };
+  return { type: "image", source, x0: x / scale + dx / 2, y0: y / scale + dy / 2, dx, dy, hoverinfo: "skip" };
 }
 
 /** Give the map the sides of its view, as large as there is room beside and above the rest; returns its pixels a metre. */

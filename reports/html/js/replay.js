@@ -92,7 +92,7 @@ function controls(player, worst, follow) {
     clock.textContent = `${steady(player.clock, 1)} of ${steady(player.end, 1)} s`;
   };
   const element = make("div", { class: "player transport", role: "group", "aria-label": "Replay" }, play, clock, slider,
-    make("label", {}, "speed", speed), make("label", {}, following, "follow"), worst);
+    make("label", {}, make("span", {}, "speed"), speed), make("label", {}, following, "follow"), worst);
   return { element, update };
 }
 
