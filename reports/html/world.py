@@ -88,7 +88,7 @@ def _flat(xy: Floats, step: float) -> Json:
 
 
 def _raster(raster: Raster) -> Json:
-    """A picture of its blocked cells, its first row in the south, and where its south-west corner and its sides are [m]."""
+    """A picture of its blocked cells, southern ones first, and where its south-west corner and its sides are [m]."""
     from PIL import Image
 
     from reports.figures.style import OBSTACLE

@@ -13,7 +13,7 @@ function caseView(row) {
   fill(view, [
     caseHead(row),
     make("p", { class: "muted" }, [caseSetting(row, told), told.corridor && `corridor ±${told.corridor}`, told.path].filter(Boolean).join(" · ")),
-    make("p", {}, told.trials ? told.trials.reason : TOLD.rows[row.number - 1].why),
+    make("p", {}, told.trials ? told.trials.reason : (one || row.decided) && TOLD.rows[row.number - 1].why),
     !row.passed && make("p", { class: "bad" }, make("b", {}, "Not as expected.")),
     stage, spreads,
     make("div", { class: "columns" }, [requirementsTable(told), tightTable(told), steepTable(told)].filter(Boolean)),
@@ -21,10 +21,19 @@ function caseView(row) {
     told.command && [make("h3", {}, told.trials ? "To repeat this trial" : "To repeat this case"), command(told.command)],
   ]);
   if (!one) {
-    fill(stage, [make("p", { class: "muted" }, "There is no track to replay: none of its trials was run, or it is not among the cases that are shown whole.")]);
+    fill(stage, withoutTrack(row));
     return;
   }
   showRun(stage, spreads, row, one, 0);
+}
+
+/** Why there is nothing to replay, how to repeat it, and where its plan is told. */
+function withoutTrack(row) {
+  const { why, seed, command: again } = DATA.absent[row.name];
+  const place = TOLD.plans.findIndex((one) => one.cases.includes(row.name));
+  return [make("p", { class: "alarm" }, why), seed && make("p", { class: "muted small" }, `planned with seed ${seed}`),
+    place >= 0 && make("p", {}, make("a", { href: `#plans-${place + 1}` }, `Its plans, among those on ${TOLD.plans[place].scenario}`)),
+    again && [make("h3", {}, "To repeat it"), command(again)]];
 }
 
 function caseSetting(row, told) {
