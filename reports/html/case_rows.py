@@ -56,8 +56,8 @@ def _row(result: CaseResult, outcome: Outcome | None, what: Mapping[str, str]) -
 
 
 def _ranks(finished: Finished) -> dict[int, int]:
-    """The places of cases by what is left of the limit that decides, by their numbers; 0 is the worst: those that failed
-    to run, then those without a path. Cases of which nothing is required have none.
+    """The places of cases by what is left of the limit that decides, by their numbers. First come those that failed to
+    run, then those without a path; cases of which nothing is required have none.
     """
     told = {result.number: deciding(result, finished.outcomes.get(result.case.name)) for result in finished.results}
     kinds = {

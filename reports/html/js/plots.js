@@ -90,7 +90,7 @@ function panelLayout(panels, vehicles, label, own, width) {
     const key = i === 0 ? "yaxis" : `yaxis${i + 1}`;
     const top = ceiling - (i === 0 ? 0 : gap);
     layout[key] = axis(plain(`[${panel.unit}]`), { domain: [Math.max(0, floor + gap / 4), top], range: rangeOf(panel, vehicles, own), nticks: 6 });
-    const legend = [panel.upper && "dashed: limits", panel.command && "dotted: commanded", panel.needed && "purple: needed by the path",
+    const legend = [panel.upper && "dashed: limit", panel.command && "dotted: command", panel.needed && "purple: needed",
       panel.corridor !== null && `shaded: corridor ±${metres(panel.corridor)}; left is positive`].filter(Boolean).join(" · ");
     const two = LETTER * (panel.title.length + legend.length + 2) > width - layout.margin.l - layout.margin.r;
     if (two && i === 0) layout.margin = { ...layout.margin, t: 42 };
