@@ -79,6 +79,9 @@ def _margin(result: CaseResult, outcome: Outcome | None, score: float | None) ->
         return {"margin_words": share, "margin_share": ""}
     value = f"{_signed(decisive.value)}{text(decisive.value, decisive.metric.unit)}"
     alike = decisive.metric.unit == "share" or decisive.requirement.limit == 0.0
+    if decisive.requirement.limit == 0.0 and decisive.metric.unit == "m" and outcome and outcome.corridor > 0.0:
+        over = decisive.value / outcome.corridor
+        return {"margin_words": value, "margin_share": f"{_signed(over)}{number(100 * over)} % of corridor"}
     return {"margin_words": value, "margin_share": "" if alike else share}
 
 
