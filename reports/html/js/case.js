@@ -87,6 +87,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   let plotted = null;
   let following = false;
   let gone = false;
+  let drawing = Promise.resolve(); // of the map: cells are drawn later, and must find it
   let moved = 0;
   const player = new Player(vehicles, () => show());
   const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${focusWords(run.focus)}`);
@@ -131,9 +132,10 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     if (now - moved < 120 || !Number.isFinite(state.x + state.y)) return;
     moved = now;
     const body = one.body.radius ? 2 * one.body.radius : one.body.length;
-    const half = Math.max(4 * one.corridor, 3 * body) / scale;
-    const [x, y] = [state.x / scale, state.y / scale];
-    window.Plotly.relayout(mapPlot, { "xaxis.range": [x - half, x + half], "yaxis.range": [y - half, y + half] });
+    const [, , width, height] = projection(mapPlot, scale).box;
+    const perPixel = Math.max(4 * one.corridor, 3 * body) / scale / Math.min(width, height);
+    const [x, y, across, along] = [state.x / scale, state.y / scale, perPixel * width, perPixel * height];
+    drawing = window.Plotly.relayout(mapPlot, { "xaxis.range": [x - across, x + across], "yaxis.range": [y - along, y + along] });
   }
 
   function placeWind() {
@@ -142,7 +144,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
 
   function wholeMap() {
     const [west, south, east, north] = one.view.map((value) => value / scale);
-    window.Plotly.relayout(mapPlot, { "xaxis.range": [west, east], "yaxis.range": [south, north] });
+    drawing = window.Plotly.relayout(mapPlot, { "xaxis.range": [west, east], "yaxis.range": [south, north] });
   }
 
   function drawPlots() {
@@ -158,7 +160,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   const keys = (event) => replayKeys(event, player);
   const resized = () => {
     sizeMap(mapBox, one);
-    if (scale) window.Plotly.Plots.resize(mapPlot).then(placeWind);
+    if (scale) drawing = window.Plotly.Plots.resize(mapPlot).then(placeWind);
     show();
   };
   document.addEventListener("keydown", keys);
@@ -167,12 +169,13 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     gone = true;
     document.removeEventListener("keydown", keys);
     window.removeEventListener("resize", resized);
-    for (const plot of [mapPlot, plots]) if (plot._fullLayout) window.Plotly.purge(plot);
+    drawing.finally(() => { for (const plot of [mapPlot, plots]) if (plot._fullLayout) window.Plotly.purge(plot); });
   } };
   show();
   withPlotly(async () => {
     if (gone) return;
-    scale = await drawMap(mapPlot, one, run, vehicles);
+    drawing = drawMap(mapPlot, one, run, vehicles);
+    scale = await drawing;
     placeWind();
     await drawPlots();
     if (gone) return;

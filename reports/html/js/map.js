@@ -2,7 +2,8 @@
 
 const BESIDE = "(min-width: 1100px)"; // map and plots lie side by side, as the style sheet has it
 const LEAST_MAP = 230, MOST_MAP = 780; // [px]
-const BELOW_MAP = 430; // [px] of the window for the head, the controls, the legend and the instruments
+const BELOW_MAP = 430, BELOW_ALONE = 150; // [px] of the window for all but the map, with the instruments and without
+const INSTRUMENTS_BESIDE = "(min-width: 1500px), (max-height: 860px)"; // of the map
 const MAP_EDGES = [68, 52]; // [px] beside and below the map, for its axes
 const THIN = 2; // [px] below which a corridor is not seen
 
@@ -67,7 +68,8 @@ function picture({ picture: source, x, y, width, height, columns, rows }, scale)
 function sizeMap(box, one) {
   const [width, height] = [one.view[2] - one.view[0], one.view[3] - one.view[1]];
   const beside = window.matchMedia(BESIDE).matches;
-  const highest = Math.max(LEAST_MAP, Math.min(MOST_MAP, beside ? window.innerHeight - BELOW_MAP : 0.4 * window.innerHeight)) - MAP_EDGES[1];
+  const below = window.matchMedia(INSTRUMENTS_BESIDE).matches ? BELOW_ALONE : BELOW_MAP;
+  const highest = Math.max(LEAST_MAP, Math.min(MOST_MAP, beside ? window.innerHeight - below : 0.4 * window.innerHeight)) - MAP_EDGES[1];
   const widest = box.parentElement.clientWidth - MAP_EDGES[0];
   const perMetre = Math.min(widest / width, highest / height);
   box.style.height = `${Math.max(LEAST_MAP, Math.round(perMetre * height + MAP_EDGES[1]))}px`;
