@@ -9,11 +9,11 @@ from campaigns.finished import Finished
 from campaigns.summary import ERROR, CaseResult
 from reports.files.json_result import Json
 from reports.words.campaign_words import HEADLINE
+from reports.words.deciding import deciding
 from reports.words.dimensions import CONTROLLER, PATH, SCENARIO, SPEED, VEHICLE, dimensions
 from reports.words.fleet_words import vehicle_words
 from reports.words.names import spoken
 from reports.words.quantity import number, text
-from tracking.metric import Margin
 from tracking.outcome import Outcome
 
 
@@ -21,7 +21,11 @@ def case_rows(finished: Finished) -> list[Json]:
     """A row a case, in their order; each number with the words that are shown for it, null where there is none."""
     told = dimensions(finished.results, finished.outcomes)
     pairs = zip(finished.results, told, strict=True)
-    return [_row(result, finished.outcomes.get(result.case.name), what) for result, what in pairs]
+    ranks = _ranks(finished)
+    return [
+        {**_row(result, finished.outcomes.get(result.case.name), what), "rank": ranks.get(result.number)}
+        for result, what in pairs
+    ]
 
 
 def _row(result: CaseResult, outcome: Outcome | None, what: Mapping[str, str]) -> dict[str, Json]:
@@ -44,20 +48,40 @@ def _row(result: CaseResult, outcome: Outcome | None, what: Mapping[str, str]) -
         "share": found.share if found.tried else None,
         "share_words": f"{found.trackworthy} of {found.tried}" if result.verdict != ERROR else "",
         "decided": spoken(worst.decided_by) if worst is not None and worst.decided_by else "",
-        "margin": score,
-        **_margin(outcome.verdict.decisive if outcome else None, score),
+        "missed": (score is not None and score < 0.0) or bool(found.no_path or found.errors),
+        **_margin(result, outcome, score),
         "p95": p95.p95 if p95 else None,
         "p95_words": text(p95.p95, "m") if p95 else "",
     }
 
 
-def _margin(decisive: Margin | None, score: float | None) -> dict[str, Json]:
-    """In its unit and as a share of its limit; the share alone where the trial is not shown."""
+def _ranks(finished: Finished) -> dict[int, int]:
+    """The places of cases by what is left of the limit that decides, by their numbers. First come those that failed to
+    run, then those without a path; cases of which nothing is required have none.
+    """
+    told = {result.number: deciding(result, finished.outcomes.get(result.case.name)) for result in finished.results}
+    kinds = {
+        result.number: 0 if result.verdict == ERROR else 1 if result.statistics.no_path else 2
+        for result in finished.results
+    }
+    keys = {number: (kinds[number], one.share) for number, one in told.items() if one.share < math.inf}
+    order = {key: place for place, key in enumerate(sorted(set(keys.values())))}
+    return {number: order[key] for number, key in keys.items()}
+
+
+def _margin(result: CaseResult, outcome: Outcome | None, score: float | None) -> dict[str, Json]:
+    """In its unit and as a share of its limit; the share alone where the trial is not shown, words for no path."""
+    if result.verdict == ERROR or result.statistics.no_path:
+        return {"margin_words": deciding(result, outcome).words, "margin_share": ""}
+    decisive = outcome.verdict.decisive if outcome else None
     share = "" if score is None else f"{_signed(score)}{number(100 * score)} %"
     if decisive is None or not math.isfinite(decisive.value):
         return {"margin_words": share, "margin_share": ""}
     value = f"{_signed(decisive.value)}{text(decisive.value, decisive.metric.unit)}"
     alike = decisive.metric.unit == "share" or decisive.requirement.limit == 0.0
+    if decisive.requirement.limit == 0.0 and decisive.metric.unit == "m" and outcome and outcome.corridor > 0.0:
+        over = decisive.value / outcome.corridor
+        return {"margin_words": value, "margin_share": f"{_signed(over)}{number(100 * over)} % of corridor"}
     return {"margin_words": value, "margin_share": "" if alike else share}
 
 

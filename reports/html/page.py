@@ -7,6 +7,7 @@ from pathlib import Path
 from campaigns.finished import Finished
 from planners.atomic_file import atomic
 from reports.files.json_result import Json
+from reports.html.absent import absent
 from reports.html.case_rows import case_rows
 from reports.html.embed import as_json, filled, nonce, plotly
 from reports.html.pictures import embedded
@@ -49,7 +50,12 @@ def _content(finished: Finished, data: dict[str, Json], room: int) -> dict[str, 
         for result in finished.results
         if (name := result.case.name) in finished.outcomes
     }
-    fixed: dict[str, Json] = {"spread": spread, "rows": case_rows(finished), "about": _about(finished)}
+    fixed: dict[str, Json] = {
+        "spread": spread,
+        "rows": case_rows(finished),
+        "about": _about(finished),
+        "absent": absent(finished),
+    }
     room -= len(as_json({**fixed, "told": data}).encode())
     cases = worst_runs(finished, world, int(_WORST * room))
     room -= len(as_json({"cases": {**cases}, "maps": world.maps, "paths": world.paths}))

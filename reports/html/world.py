@@ -88,13 +88,13 @@ def _flat(xy: Floats, step: float) -> Json:
 
 
 def _raster(raster: Raster) -> Json:
-    """A picture of its blocked cells, north up, and where its south-west corner and its sides are [m]."""
+    """A picture of its blocked cells, southern ones first, and where its south-west corner and its sides are [m]."""
     from PIL import Image
 
     from reports.figures.style import OBSTACLE
 
     rows, columns = raster.blocked.shape
-    picture = Image.fromarray(np.flipud(raster.blocked).astype(np.uint8), "P")
+    picture = Image.fromarray(raster.blocked.astype(np.uint8), "P")
     colour = [int(OBSTACLE[i : i + 2], 16) for i in (1, 3, 5)]
     picture.putpalette([255, 255, 255, *colour])
     file = io.BytesIO()
@@ -105,6 +105,8 @@ def _raster(raster: Raster) -> Json:
         "y": raster.y,
         "width": columns * raster.cell,
         "height": rows * raster.cell,
+        "columns": columns,
+        "rows": rows,
     }
 
 

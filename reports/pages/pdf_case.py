@@ -23,7 +23,7 @@ _MOST_PLACES, _MOST_NOTES, _MOST_FLEET_NOTES, _LONGEST_NOTE = 6, 6, 3, 240
 def case_data(outcome: Outcome, figure: str, fleet_figure: str, command: str) -> dict[str, Json]:
     """The case as the template `report.typ` reads it; `fleet_figure` is "" for a vehicle that is alone."""
     verdict, feasibility = outcome.verdict, outcome.feasibility
-    table: list[dict[str, Json]] = [_row(row) for row in rows(outcome)]
+    table: list[dict[str, Json]] = [_row(row, outcome.limits.kind) for row in rows(outcome)]
     about, notes = _common_source(outcome.notes)
     return {
         "name": outcome.name,
@@ -64,12 +64,13 @@ def _paths(outcome: Outcome) -> str:
     return f"paths {', '.join(first)} and {last}"
 
 
-def _row(row: Row) -> dict[str, Json]:
-    """A row whose places say whose they are."""
-    places = {name: f"{place} of {row.who}" for name, place in (("at", row.at), ("when", row.when)) if place}
-    whose = places if row.who else {}
-    if row.who and not places:
-        whose = {"when": f"of {row.who}"}
+def _row(row: Row, kind: str) -> dict[str, Json]:
+    """A row whose places say whose they are: "64.7 km, aircraft 1"."""
+    who = called(row.who, kind)
+    places = {name: f"{place}, {who}" for name, place in (("at", row.at), ("when", row.when)) if place}
+    whose = places if who else {}
+    if who and not places:
+        whose = {"when": who}
     return {**asdict(row), "words": listed(row.name), **whose}
 
 

@@ -83,6 +83,7 @@ def section_data(section: Section) -> dict[str, Json]:
     """The section as `report.typ` reads it."""
     return {
         "scenario": section.scenario,
+        "cases": [*section.cases],
         "about": section.about,
         "rows": section.rows,
         "fleet": section.fleet,

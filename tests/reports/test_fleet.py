@@ -126,8 +126,8 @@ def test_tables_say_whose_it_was(fleet, route):
     assert re.search(r"separation_min .* 1 and 2\n", page.getvalue())
     told = case_data(fleet, "a.svg", "b.svg", "")
     at = {row["name"]: row["at"] or row["when"] for row in told["requirements"]}
-    assert re.fullmatch(r"[\d.]+ km of 3", at["cross_track_max"])
-    assert re.fullmatch(r"\d+ s of 1 and 2", at["separation_min"])
+    assert re.fullmatch(r"[\d.]+ km, aircraft 3", at["cross_track_max"])
+    assert re.fullmatch(r"\d+ s, aircraft 1 and 2", at["separation_min"])
     assert [one["trackworthy"] for one in told["members"]] == [True, True, False]
     assert told["path"] == "paths 11.3 km, 11.3 km and 5.41 km"
     assert case_data(route, "a.svg", "", "")["members"] == []

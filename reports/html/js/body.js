@@ -1,5 +1,6 @@
 // The vehicles on their map, drawn over it at any moment.
 
+const WIND_ROOM = 60; // [px] that a path must keep from the arrow of the wind
 const TO_SCALE = 9; // [px] the length from which a body is drawn as it is
 
 /** A canvas that covers `box`, and its context in CSS pixels. */
@@ -28,7 +29,7 @@ function projection(plot, scale) {
   };
 }
 
-function drawVehicles(canvas, box, plot, scale, one, run, states, followed) {
+function drawVehicles(canvas, box, plot, scale, one, run, states, followed, corner) {
   const context = overlay(canvas, box);
   const to = projection(plot, scale);
   context.save();
@@ -46,7 +47,7 @@ function drawVehicles(canvas, box, plot, scale, one, run, states, followed) {
     context.restore();
     if (states.length > 1) tag(context, String(i + 1), x + 12, y - 10);
   });
-  if (run.wind.some(Boolean)) windArrow(context, to.box, run.wind);
+  if (corner) windArrow(context, to.box, run.wind, corner);
   context.restore();
   return states.map((state) => to.at(state.x, state.y));
 }
@@ -92,11 +93,44 @@ function tag(context, words, x, y) {
   context.fillText(words, x, y);
 }
 
-/** Where the wind blows to, in the upper right corner. */
-function windArrow(context, [left, top, width], [east, north]) {
+/** The corner of the whole map where the arrow of the wind covers nothing of the paths, as shares; null for none. */
+function windCorner(plot, scale, run, vehicles) {
+  if (!run.wind.some(Boolean)) return null;
+  const to = projection(plot, scale);
+  const lines = vehicles.flatMap(({ path, columns: { x, y } }) => [...(path === null ? [] : [DATA.paths[path].line]), Array.from(x).flatMap((east, i) => [east, y[i]])]);
+  const room = (corner) => {
+    const [x, y] = windPlace(to.box, corner);
+    return Math.min(...lines.map((line) => distanceTo(line, to, x, y)));
+  };
+  const best = [[1, 0], [0, 0], [1, 1], [0, 1]].map((corner) => [room(corner), corner]).reduce((a, b) => (b[0] > a[0] && a[0] < WIND_ROOM ? b : a));
+  return best[0] < WIND_ROOM ? null : best[1];
+}
+
+/** How far the line x, y, x, y, ... [m] passes from a point of the map, all in pixels. */
+function distanceTo(line, to, x, y) {
+  let nearest = Infinity;
+  let [x0, y0] = to.at(line[0], line[1]);
+  for (let i = 2; i < line.length; i += 2) {
+    const [x1, y1] = to.at(line[i], line[i + 1]);
+    const along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / ((x1 - x0) ** 2 + (y1 - y0) ** 2 || 1);
+    const share = Math.max(0, Math.min(1, along));
+    nearest = Math.min(nearest, Math.hypot(x0 + share * (x1 - x0) - x, y0 + share * (y1 - y0) - y));
+    [x0, y0] = [x1, y1];
+  }
+  return nearest;
+}
+
+/** Where the arrow stands in a `corner` of the map: below the plot's own buttons, and clear of its edges. */
+function windPlace([left, top, width, height], [east, south]) {
+  return [left + (east ? width - 46 : 46), top + (south ? height - 50 : 48)];
+}
+
+/** Where the wind blows to. */
+function windArrow(context, box, [east, north], corner) {
   const speed = Math.hypot(east, north);
+  const [x, y] = windPlace(box, corner);
   context.save();
-  context.translate(left + width - 40, top + 48);
+  context.translate(x, y);
   context.rotate(Math.atan2(-north, east));
   context.fillStyle = INK;
   context.strokeStyle = "#ffffff";
@@ -108,6 +142,6 @@ function windArrow(context, [left, top, width], [east, north]) {
   context.stroke();
   context.restore();
   context.textAlign = "center";
-  tag(context, `wind ${digits(speed)} m/s`, left + width - 40, top + 82);
+  tag(context, `wind ${digits(speed)} m/s`, x, y + 34);
   context.textAlign = "start";
 }

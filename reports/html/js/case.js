@@ -13,7 +13,7 @@ function caseView(row) {
   fill(view, [
     caseHead(row),
     make("p", { class: "muted" }, [caseSetting(row, told), told.corridor && `corridor ±${told.corridor}`, told.path].filter(Boolean).join(" · ")),
-    make("p", {}, told.trials ? told.trials.reason : TOLD.rows[row.number - 1].why),
+    make("p", {}, told.trials ? told.trials.reason : (one || row.decided) && TOLD.rows[row.number - 1].why),
     !row.passed && make("p", { class: "bad" }, make("b", {}, "Not as expected.")),
     stage, spreads,
     make("div", { class: "columns" }, [requirementsTable(told), tightTable(told), steepTable(told)].filter(Boolean)),
@@ -21,10 +21,19 @@ function caseView(row) {
     told.command && [make("h3", {}, told.trials ? "To repeat this trial" : "To repeat this case"), command(told.command)],
   ]);
   if (!one) {
-    fill(stage, [make("p", { class: "muted" }, "There is no track to replay: none of its trials was run, or it is not among the cases that are shown whole.")]);
+    fill(stage, withoutTrack(row));
     return;
   }
   showRun(stage, spreads, row, one, 0);
+}
+
+/** Why there is nothing to replay, how to repeat it, and where its plan is told. */
+function withoutTrack(row) {
+  const { why, seed, command: again } = DATA.absent[row.name];
+  const place = TOLD.plans.findIndex((one) => one.cases.includes(row.name));
+  return [make("p", { class: "alarm" }, why), seed && make("p", { class: "muted small" }, `planned with seed ${seed}`),
+    place >= 0 && make("p", {}, make("a", { href: `#plans-${place + 1}` }, `Its plans, among those on ${TOLD.plans[place].scenario}`)),
+    again && [make("h3", {}, "To repeat it"), command(again)]];
 }
 
 function caseSetting(row, told) {
@@ -63,7 +72,6 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   const mapBox = make("div", { class: "map-box" });
   const mapPlot = make("div", { class: "plot", id: "map", role: "img", "aria-label": `Map of ${row.name}: obstacles, planned path, corridor and track` });
   const canvas = make("canvas", { id: "vehicles", "aria-hidden": "true" });
-  const sides = (one.view[2] - one.view[0]) / (one.view[3] - one.view[1]);
   const attitude = make("canvas", { class: "attitude", role: "img", "aria-label": one.kind === "ground" ? "Steering of the front wheels" : "Attitude: bank and pitch" });
   const plotsBox = make("div", { class: "plots-box" });
   const plots = make("div", { id: "plots", role: "img", "aria-label": `Error and other series of ${row.name}` });
@@ -75,19 +83,22 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
   fill(mapBox, [mapPlot, canvas]);
   fill(plotsBox, [plots, cursor]);
   let scale = null; // of the map, once it is drawn
+  let corner = null; // of the map, where the wind is told
   let plotted = null;
   let following = false;
+  let gone = false;
+  let drawing = Promise.resolve(); // of the map: cells are drawn later, and must find it
   let moved = 0;
   const player = new Player(vehicles, () => show());
-  const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${run.focus.title}`);
-  const panel = controls(player, (on) => { following = on; moved = 0; if (!on) wholeMap(); show(); });
-  if (worst) panel.element.append(worst);
+  const worst = run.focus && make("button", { class: "button", id: "to-worst", type: "button", onclick: () => player.go(run.focus.clock) }, `→ ${focusWords(run.focus)}`);
+  const panel = controls(player, worst, (on) => { following = on; moved = 0; if (!on) wholeMap(); show(); });
+  const legend = make("div", { class: "legend" });
   stage.replaceChildren();
-  fill(stage, [choices(row, one, index, followed, again), mapLegend(one, run, vehicles),
-    make("div", { class: "stage" }, make("div", {}, mapBox, panel.element,
-      make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")),
-    make("div", { class: "instruments" }, attitude, live.element)),
-    make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale, not the corridor's")), plotsBox]);
+  fill(stage, [choices(row, one, index, followed, again), panel.element, make("div", { class: "workbench" },
+    make("div", { class: "seen" }, make("div", { class: "ground" }, mapBox, legend), make("div", { class: "instruments" }, attitude, live.element)),
+    make("div", { class: "series" }, make("div", { class: "player" }, make("label", {}, "plots over", over), make("label", {}, own, "error on its own scale")), plotsBox)),
+    make("p", { class: "muted small" }, "Space plays and pauses, ← and → go along the run, + and − change the speed. A click on a plot goes there.")]);
+  fill(legend, mapLegend(one, run, vehicles, sizeMap(mapBox, one)));
 
   function show() {
     const states = vehicles.map((vehicle) => stateAt(vehicle, player.clock));
@@ -96,7 +107,7 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     drawAttitude(attitude, one, states[followed]);
     if (scale) {
       if (following) followVehicle(states[followed]);
-      const at = drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed)[followed];
+      const at = drawVehicles(canvas, mapBox, mapPlot, scale, one, run, states, followed, corner)[followed];
       canvas.dataset.x = at[0].toFixed(1);
       canvas.dataset.y = at[1].toFixed(1);
     }
@@ -121,19 +132,24 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     if (now - moved < 120 || !Number.isFinite(state.x + state.y)) return;
     moved = now;
     const body = one.body.radius ? 2 * one.body.radius : one.body.length;
-    const half = Math.max(4 * one.corridor, 3 * body) / scale;
-    const [x, y] = [state.x / scale, state.y / scale];
-    window.Plotly.relayout(mapPlot, { "xaxis.range": [x - half, x + half], "yaxis.range": [y - half, y + half] });
+    const [, , width, height] = projection(mapPlot, scale).box;
+    const perPixel = Math.max(4 * one.corridor, 3 * body) / scale / Math.min(width, height);
+    const [x, y, across, along] = [state.x / scale, state.y / scale, perPixel * width, perPixel * height];
+    drawing = window.Plotly.relayout(mapPlot, { "xaxis.range": [x - across, x + across], "yaxis.range": [y - along, y + along] });
+  }
+
+  function placeWind() {
+    if (!gone && !following) corner = windCorner(mapPlot, scale, run, vehicles);
   }
 
   function wholeMap() {
     const [west, south, east, north] = one.view.map((value) => value / scale);
-    window.Plotly.relayout(mapPlot, { "xaxis.range": [west, east], "yaxis.range": [south, north] });
+    drawing = window.Plotly.relayout(mapPlot, { "xaxis.range": [west, east], "yaxis.range": [south, north] });
   }
 
   function drawPlots() {
     const told = panelTraces(vehicles, followed, over.value);
-    const layout = panelLayout(told.panels, vehicles, told.label, own.checked);
+    const layout = panelLayout(told.panels, vehicles, told.label, own.checked, plotsBox.clientWidth);
     plots.style.height = `${layout.height}px`;
     return window.Plotly.react(plots, told.traces, layout, CONFIG).then(() => {
       plotted = told;
@@ -141,22 +157,26 @@ function showRun(stage, spreads, row, one, index, followed = one.decides) {
     });
   }
 
-  let gone = false;
   const keys = (event) => replayKeys(event, player);
-  const resized = () => show();
+  const resized = () => {
+    sizeMap(mapBox, one);
+    if (scale) drawing = window.Plotly.Plots.resize(mapPlot).then(placeWind);
+    show();
+  };
   document.addEventListener("keydown", keys);
   window.addEventListener("resize", resized);
   shownCase = { player, run, stop: () => {
     gone = true;
     document.removeEventListener("keydown", keys);
     window.removeEventListener("resize", resized);
-    for (const plot of [mapPlot, plots]) if (plot._fullLayout) window.Plotly.purge(plot);
+    drawing.finally(() => { for (const plot of [mapPlot, plots]) if (plot._fullLayout) window.Plotly.purge(plot); });
   } };
   show();
   withPlotly(async () => {
     if (gone) return;
-    mapBox.style.height = `${Math.round(Math.min(640, Math.max(300, mapBox.clientWidth / sides + 60)))}px`;
-    scale = await drawMap(mapPlot, one, run, vehicles);
+    drawing = drawMap(mapPlot, one, run, vehicles);
+    scale = await drawing;
+    placeWind();
     await drawPlots();
     if (gone) return;
     const jump = (event) => { player.go(Number(event.points[0].customdata)); };

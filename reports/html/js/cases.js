@@ -10,7 +10,8 @@ const COLUMNS = [
   { key: "verdict", head: "verdict" },
   { key: "share", head: "trackworthy", number: true, words: "share_words" },
   { key: "decided", head: "decided by" },
-  { key: "margin", head: "margin", number: true, words: "margin_words" },
+  { key: "rank", head: "margin", number: true, words: "margin_words",
+    title: "By the share of the limit that is left; where the limit is 0 m, by that of the corridor" },
   { key: "p95", head: "error, 95 %", number: true, words: "p95_words" },
 ];
 const FILTERS = [["vehicle", "vehicle"], ["controller", "controller"], ["scenario", "scenario"]];
@@ -22,7 +23,7 @@ function casesTable() {
   if (DATA.rows.length === 0) return;
   const body = make("tbody", {});
   const head = make("tr", {}, COLUMNS.map((column) => make("th", { scope: "col", class: column.number ? "number" : null,
-    "data-key": column.key }, make("button", { type: "button", onclick: () => sortBy(column.key) }, column.head))));
+    "data-key": column.key }, make("button", { type: "button", title: column.title, onclick: () => sortBy(column.key) }, column.head))));
   const count = make("p", { class: "muted small", id: "case-count", "aria-live": "polite" });
   section("cases", "All cases", filters(), count,
     make("div", { class: "scroll" }, make("table", { id: "case-rows" }, make("thead", {}, head), body)));
@@ -87,7 +88,7 @@ function caseRow(row) {
     if (column.key === "name") return make("a", { href: `#case-${row.number}` }, row.name);
     if (column.key === "path") return [words, row.scenario && make("div", { class: "muted small" }, row.scenario)];
     if (column.key === "speed") return words.split(" (").map((part, i) => make("div", { class: i ? "muted" : null }, part.replace(")", "")));
-    if (column.key === "margin") return [make(row.margin < 0 ? "b" : "span", { class: row.margin < 0 ? "bad" : null }, words), make("div", { class: "muted" }, row.margin_share)];
+    if (column.key === "rank") return [make(row.missed ? "b" : "span", { class: row.missed ? "bad" : null }, words), make("div", { class: "muted" }, row.margin_share)];
     if (column.key !== "verdict") return words;
     const expected = row.expect === "either" ? "to be compared" : row.passed ? "as expected" : "not as expected";
     return [badge(row.verdict), make("div", { class: `small ${row.passed ? "muted" : "bad"}` }, expected)];

@@ -5,8 +5,8 @@ function linesCell(lines) {
 }
 
 function plansSection() {
-  section("plans", "Plans, and what papers claim", TOLD.plans.map((one) => [
-    make("h3", {}, `Plans on ${one.scenario}`), make("p", { class: "muted small" }, one.about),
+  section("plans", "Plans, and what papers claim", TOLD.plans.map((one, i) => [
+    make("h3", { id: `plans-${i + 1}` }, `Plans on ${one.scenario}`), make("p", { class: "muted small" }, one.about),
     plansTable(one), one.note && make("p", { class: "small" }, one.note), pictures(one.pictures),
   ]));
 }

@@ -9,7 +9,7 @@ const FONT = 'system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", 
 const CONFIG = { displaylogo: false, responsive: true, modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]] };
 const MODEBAR = { bgcolor: "rgba(255,255,255,0.85)", color: MUTED, activecolor: BLUE };
 const PANEL_HEIGHT = 142, FIRST_EXTRA = 1.45; // [px] of a panel; the first, the error, is higher
-const NARROW = 600; // [px] of the window
+const LETTER = 6.6; // [px] of what stands over a panel, about
 const KILO_FROM = 10000; // [m] beyond which axes are in kilometres
 
 function axis(title, more) {
@@ -76,8 +76,8 @@ function rangeOf(panel, vehicles, own) {
   return [low - room, high + room];
 }
 
-/** The layout of the panels: their axes, what they are called, and the corridor behind the error. */
-function panelLayout(panels, vehicles, label, own) {
+/** The layout of the panels in so much `width` [px]: their axes, what they are called, and the corridor behind the error. */
+function panelLayout(panels, vehicles, label, own, width) {
   const shares = panels.map((_, i) => (i === 0 ? FIRST_EXTRA : 1));
   const total = shares.reduce((a, b) => a + b, 0);
   const gap = 0.22 / total;
@@ -90,11 +90,11 @@ function panelLayout(panels, vehicles, label, own) {
     const key = i === 0 ? "yaxis" : `yaxis${i + 1}`;
     const top = ceiling - (i === 0 ? 0 : gap);
     layout[key] = axis(plain(`[${panel.unit}]`), { domain: [Math.max(0, floor + gap / 4), top], range: rangeOf(panel, vehicles, own), nticks: 6 });
-    const legend = [panel.upper && "dashed: limits", panel.command && "dotted: commanded", panel.needed && "purple: what the path needs",
+    const legend = [panel.upper && "dashed: limit", panel.command && "dotted: command", panel.needed && "purple: needed",
       panel.corridor !== null && `shaded: corridor ±${metres(panel.corridor)}; left is positive`].filter(Boolean).join(" · ");
-    // A narrow screen has room for little, and for none beside the buttons over the first panel.
-    const room = window.innerWidth > NARROW || (i > 0 && legend.length < 36);
-    layout.annotations.push({ text: `<b>${plain(panel.title)}</b>  <span style="color:${MUTED}">${room ? plain(legend) : ""}</span>`, showarrow: false, xref: "paper",
+    const two = LETTER * (panel.title.length + legend.length + 2) > width - layout.margin.l - layout.margin.r;
+    if (two && i === 0) layout.margin = { ...layout.margin, t: 42 };
+    layout.annotations.push({ text: `<b>${plain(panel.title)}</b>${two ? "<br>" : "  "}<span style="color:${MUTED}">${plain(legend)}</span>`, showarrow: false, xref: "paper",
       yref: "paper", x: 0, y: top, xanchor: "left", yanchor: "bottom", font: { size: 12 }, align: "left" });
     if (panel.corridor !== null) {
       layout.shapes.push({ type: "rect", xref: "paper", x0: 0, x1: 1, yref: i === 0 ? "y" : `y${i + 1}`, y0: -panel.corridor, y1: panel.corridor,

@@ -1,7 +1,7 @@
 // The replay: one clock, and everything that shows a moment of the run in step with it.
 
-const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
-const WATCHED = 40; // [s] about how long a replay takes at the speed it starts with
+const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256, 512];
+const WATCHED = 20; // [s] that a replay takes at most at the speed it starts with, if that is not the fastest
 const STEPS = 200; // arrow keys go through the run in so many
 
 /** What a vehicle does at `clock` [s]: all its columns there, and whether it waits or has arrived. */
@@ -29,8 +29,7 @@ class Player {
     this.show = show;
     this.start = Math.min(...vehicles.map((one) => one.clock[0]));
     this.end = Math.max(...vehicles.map((one) => one.clock[one.clock.length - 1]));
-    const wish = (this.end - this.start) / WATCHED;
-    this.speed = SPEEDS.reduce((best, one) => (Math.abs(Math.log(one / wish)) < Math.abs(Math.log(best / wish)) ? one : best), 1);
+    this.speed = SPEEDS.find((one) => one >= 1 && (this.end - this.start) / one <= WATCHED) || SPEEDS[SPEEDS.length - 1];
     this.clock = this.start;
     this.playing = false;
     this.frame = null;
@@ -75,8 +74,8 @@ class Player {
   }
 }
 
-/** The buttons, the slider and the clock of a player; `update` brings them in step with it. */
-function controls(player, follow) {
+/** The buttons, the slider and the clock of a player, and the way to its `worst` moment; `update` brings them in step with it. */
+function controls(player, worst, follow) {
   const play = make("button", { class: "button main-button", id: "play", type: "button", onclick: () => player.toggle() }, "▶ Play");
   const slider = make("input", { type: "range", id: "scrub", min: 0, max: 10000, step: 1, value: 0, "aria-label": "moment of the replay",
     oninput: (event) => player.go(player.start + ((player.end - player.start) * event.target.value) / 10000) });
@@ -92,8 +91,8 @@ function controls(player, follow) {
     speed.value = String(player.speed);
     clock.textContent = `${steady(player.clock, 1)} of ${steady(player.end, 1)} s`;
   };
-  const element = make("div", { class: "player", role: "group", "aria-label": "Replay" }, play, slider, clock,
-    make("label", {}, "speed", speed), make("label", {}, following, "follow"));
+  const element = make("div", { class: "player transport", role: "group", "aria-label": "Replay" }, play, clock, slider,
+    make("label", {}, make("span", {}, "speed"), speed), make("label", {}, following, "follow"), worst);
   return { element, update };
 }
 
@@ -104,7 +103,7 @@ function replayKeys(event, player) {
   const pressing = tag === "BUTTON" || tag === "A" || event.target.type === "checkbox";
   const step = ((player.end - player.start) / STEPS) * (event.shiftKey ? 10 : 1);
   const actions = { " ": () => player.toggle(), ArrowRight: () => player.go(player.clock + step), ArrowLeft: () => player.go(player.clock - step),
-    "+": () => player.faster(1), "-": () => player.faster(-1),  };
+    "+": () => player.faster(1), "-": () => player.faster(-1) };
   const action = actions[event.key];
   if (!action || (event.key === " " && pressing)) return;
   event.preventDefault();

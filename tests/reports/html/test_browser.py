@@ -1,38 +1,23 @@
-"""The page in a real browser: Debian's chromium, driven by its chromedriver."""
+"""The page in a real browser."""
 
 import dataclasses
-import shutil
 import time
 
 import pytest
 
-from campaigns.lanes import Lanes
-from reports.html.page import write_html
-from reports.write import campaign_report
-from small_campaigns import Here
-
 pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
-from selenium import webdriver
+from in_browser import numbers, opened, started, wait
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import Select, WebDriverWait
+from selenium.webdriver.support.ui import Select
 
-PATIENCE = 60.0  # [s] for a machine that is busy
-FLAGS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=1280,1400")
+from reports.html.page import write_html
 
 
 @pytest.fixture(scope="module")
 def browser():
-    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
-    if chromium is None or driver is None:
-        pytest.skip("no browser to show the page in: apt install chromium chromium-driver")
-    options = webdriver.ChromeOptions()
-    options.binary_location = chromium
-    for flag in FLAGS:
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    session = webdriver.Chrome(options=options, service=webdriver.ChromeService(driver))
+    session = started()
     yield session
     session.quit()
 
@@ -55,16 +40,6 @@ def page(browser, address):
     assert [entry["message"] for entry in browser.get_log("browser")] == []
 
 
-def wait(browser, what):
-    WebDriverWait(browser, PATIENCE, poll_frequency=0.05).until(what)
-
-
-def opened(browser, number):
-    """A case, once its plots are drawn."""
-    browser.execute_script(f"location.hash = '#case-{number}'")
-    wait(browser, lambda b: b.execute_script("return document.getElementById('stage')?.dataset.ready === 'yes'"))
-
-
 def at(browser):
     """What the replay shows: the clock [s], where the vehicle is [px], and where the cursor stands [s]."""
     return browser.execute_script(
@@ -72,12 +47,6 @@ def at(browser):
         "return [parseFloat(document.getElementById('clock').textContent), parseFloat(v.x), parseFloat(v.y),"
         " parseFloat(document.querySelector('.cursor').dataset.at)]"
     )
-
-
-def numbers(browser):
-    return [
-        int(row.get_attribute("data-case")) for row in browser.find_elements(By.CSS_SELECTOR, "#case-rows tbody tr")
-    ]
 
 
 def test_names_are_text(page, finished):
@@ -222,11 +191,9 @@ def test_a_fleet_shares_a_clock(browser, finished, data, apart_fleet, tmp_path):
     assert browser.get_log("browser") == []
 
 
-def test_a_case_without_a_track_says_so(browser, finished, tmp_path):
-    bare = dataclasses.replace(finished, outcomes={}, folder=tmp_path)
-    write_html(bare, campaign_report(bare, Lanes(Here(), 1)).data, tmp_path / "report.html")
-    browser.get((tmp_path / "report.html").as_uri())
-    assert numbers(browser) == [1, 2, 3]
-    browser.execute_script("location.hash = '#case-1'")
-    wait(browser, lambda b: "no track to replay" in b.find_element(By.ID, "stage").text)
-    assert browser.get_log("browser") == []
+def test_a_run_takes_as_long_as_one_looks_on(page):
+    for number in (1, 3):
+        opened(page, number)
+        long, speed = page.execute_script("const p = shownCase.player; return [p.end - p.start, p.speed]")
+        assert speed == 1.0 or 10.0 < long / speed <= 20.0
+        assert long / speed <= 20.0

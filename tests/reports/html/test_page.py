@@ -178,13 +178,14 @@ def test_a_map_as_rings():
     assert told["bounds"] == [-1.0, -1.0, 30.0, 30.0]
 
 
-def test_cells_are_a_picture_north_up():
+def test_cells_are_a_picture_from_the_south_on():
     told = map_data(Map(raster=Raster(np.array([[True, False, False], [False, False, False]]), 2.0, 5.0, 6.0)))
     raster = told["raster"]
     assert (raster["x"], raster["y"], raster["width"], raster["height"]) == (5.0, 6.0, 6.0, 4.0)
+    assert (raster["columns"], raster["rows"]) == (3, 2)
     picture = Image.open(io.BytesIO(base64.b64decode(raster["picture"].partition(",")[2]))).convert("RGBA")
     assert picture.size == (3, 2)
-    assert [picture.getpixel((0, row))[3] for row in (0, 1)] == [0, 255]
+    assert [picture.getpixel((0, row))[3] for row in (0, 1)] == [255, 0]
 
 
 def test_a_path_and_its_corridor():
