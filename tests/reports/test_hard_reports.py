@@ -61,7 +61,7 @@ def check(report, folder, pages, paper="a4"):
 
 def check_html(report, results, outcomes, folder):
     """The page says all names, and is not too large; its scripts are tested elsewhere."""
-    campaign = SimpleNamespace(note="")
+    campaign = SimpleNamespace(note="", seed=1)
     finished = Finished(campaign, folder, MADE, results, {one.name: one for one in outcomes}, [], [])
     write_html(finished, report.data, folder / "report.html")
     page = (folder / "report.html").read_bytes()
