@@ -62,7 +62,7 @@ def share_words(result: CaseResult) -> str:
 def all_alike(result: CaseResult) -> bool:
     """Whether several trials differ in nothing, as without chance in plan and conditions: no interval then."""
     found, values = result.statistics, result.statistics.values
-    if len(values) < 2 or found.trackworthy not in (0, found.tried):
+    if len(values) < 2 or found.trackworthy not in (0, found.tried) or found.no_path:
         return False
     return bool(np.array_equal(values, np.broadcast_to(values[0], values.shape), equal_nan=True))
 

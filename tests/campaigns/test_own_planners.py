@@ -316,7 +316,7 @@ def test_a_planner_that_fails_is_an_error_of_its_kind(tmp_path, campaign, fail, 
 @pytest.mark.usefixtures("here", "no_report")
 def test_one_case_one_trial_without_a_path(campaign, capfd):
     assert main(["run", str(campaign(PLANNED + "set.lose = 1\n"))]) == 1
-    assert "FAIL  planned: not-trackworthy; found no path: all of them lost their way\n" in capfd.readouterr().out
+    assert "FAIL  planned: NOT TRACKWORTHY  found no path: all of them lost their way\n" in capfd.readouterr().out
 
 
 @pytest.mark.usefixtures("here", "no_report")
