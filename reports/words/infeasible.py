@@ -56,7 +56,7 @@ def _tight(feasibility: Feasibility, stretch: Stretch) -> TightRow:
     to_and_fro = left > 0.0 and right > 0.0 and left + right > 2.0 * math.pi  # as a staircase does
     return TightRow(
         span(stretch.s, stretch.s_end, "m"),
-        f"to and fro, {whole} in all" if to_and_fro else f"{whole} {side}",
+        f"{whole} to and fro" if to_and_fro else f"{whole} {side}",
         text(worst.required, "m"),
         text(worst.available, "m"),
         text(-worst.margin, "m"),
