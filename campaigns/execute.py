@@ -13,7 +13,7 @@ from campaigns.campaign import Campaign
 from campaigns.finished import Finished, shown, worst_tasks
 from campaigns.folder import opened
 from campaigns.lanes import Lanes
-from campaigns.manifest import manifest_of
+from campaigns.manifest import manifest_of, read_manifest
 from campaigns.plan_statistics import planned_by
 from campaigns.ready import ReadyCase
 from campaigns.resolved import write_resolved
@@ -89,7 +89,8 @@ def execute(
             found = run_searches(searches, folder, lanes)
         plans = planned_by(cases, campaign.claims, folder)
         write_summary(campaign, results, folder / "summary.json", found, plans)
-        return Finished(campaign, folder, manifest_of(campaign, cases, searches), results, outcomes, found, plans)
+        manifest = read_manifest(folder / "manifest.json") or manifest_of(campaign, cases, searches)
+        return Finished(campaign, folder, manifest, results, outcomes, found, plans)
 
 
 def planned(campaign: Campaign, cases: Sequence[ReadyCase], folder: Path) -> Sequence[ReadyCase]:

@@ -27,6 +27,7 @@ DRAWING = 300.0  # [s] that a figure, or a trial to be flown again, may take
 FILES = {
     "pdf": "report.pdf", "html": "report.html", "png": "figures", "junit": "junit.xml", "md": "summary.md",
 }  # fmt: skip
+_WITH_PLANS = {"pdf", "html", "png"}  # forms that show plans, which are made again to be drawn
 
 
 def write_report(
@@ -43,7 +44,7 @@ def write_report(
     """
     folder, figures = finished.folder, finished.folder / "figures"
     held = check(record_of(finished.campaign, finished.results, folder), baseline) if baseline else None
-    report = campaign_report(finished, lanes, held)
+    report = campaign_report(finished, lanes, held, with_plans=bool(_WITH_PLANS & set(forms)))
     drawings = _needed(report, finished, forms)
     if drawings:
         if figures.is_file():
@@ -63,13 +64,13 @@ def write_report(
     return [*files.values()]
 
 
-def campaign_report(finished: Finished, lanes: Lanes, held: Check | None = None) -> Report:
+def campaign_report(finished: Finished, lanes: Lanes, held: Check | None = None, with_plans: bool = True) -> Report:
     """What there is to tell of a campaign, `held` against a baseline; plans to be drawn are made again in `lanes`."""
     campaign, results = finished.campaign, finished.results
     outcomes = [finished.outcomes[result.case.name] for result in results if result.case.name in finished.outcomes]
     worst = {result.case.name: result.worst.trial for result in results if result.worst}
     commands = [replay_command(finished.called, outcome.name, worst[outcome.name]) for outcome in outcomes]
-    plans = plan_sections(finished.plans, results, campaign.note, lanes)
+    plans = plan_sections(finished.plans, results, campaign.note, lanes) if with_plans else []
     return report_of(
         outcomes, campaign.title, commands=commands, results=results, searches=finished.searches, plans=plans,
         manifest=finished.manifest, check=held, limits=campaign.check,

@@ -37,7 +37,7 @@ def _made(manifest: Manifest) -> list[Json]:
     versions = dict(manifest.versions)
     changed = " with changes" if manifest.git_revision.endswith("+") else ""
     revision = manifest.git_revision.rstrip("+")
-    planets = f"{manifest.schema_version} of the metrics, {manifest.store_version} of the results folder"
+    schema = f"{manifest.schema_version} of the metrics, {manifest.store_version} of the results folder"
     rows = [
         ("campaign", manifest.name),
         ("command", manifest.command),
@@ -47,7 +47,7 @@ def _made(manifest: Manifest) -> list[Json]:
         ("Python", versions.pop("python", "")),
         ("platform", manifest.platform),
         ("libraries", ", ".join(f"{name} {version}" for name, version in versions.items())),
-        ("schema", planets),
+        ("schema", schema),
         ("hash of cases and files", manifest.campaign),
         ("hash of the code", manifest.code),
     ]

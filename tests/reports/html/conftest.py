@@ -2,6 +2,7 @@ import pytest
 
 from campaigns.lanes import Lanes
 from planners import files
+from reports.html.page import write_html
 from reports.write import campaign_report
 from sample_paths import aircraft_weave, road_weave
 from small_campaigns import Here, run_here
@@ -42,3 +43,20 @@ def finished(tmp_path_factory):
 @pytest.fixture(scope="session")
 def data(finished):
     return campaign_report(finished, Lanes(Here(), 1)).data
+
+
+@pytest.fixture(scope="module")
+def browser():
+    from in_browser import started  # which skips all that needs selenium where there is none
+
+    session = started()
+    yield session
+    session.quit()
+
+
+@pytest.fixture(scope="module")
+def address(finished, data, tmp_path_factory):
+    """That of the page on what is `finished`."""
+    file = tmp_path_factory.mktemp("page") / "report.html"
+    write_html(finished, data, file)
+    return file.as_uri()

@@ -6,27 +6,13 @@ import time
 import pytest
 
 pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
-from in_browser import numbers, opened, started, wait
+from in_browser import numbers, opened, wait
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select
 
 from reports.html.page import write_html
-
-
-@pytest.fixture(scope="module")
-def browser():
-    session = started()
-    yield session
-    session.quit()
-
-
-@pytest.fixture(scope="module")
-def address(finished, data, tmp_path_factory):
-    file = tmp_path_factory.mktemp("page") / "report.html"
-    write_html(finished, data, file)
-    return file.as_uri()
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 pytest.importorskip("selenium", reason="selenium is not installed: pip install -e '.[dev]'")
-from in_browser import numbers, opened, started, wait
+from in_browser import numbers, opened, wait
 from selenium.webdriver.common.by import By
 
 from campaigns.lanes import Lanes
@@ -31,20 +31,6 @@ PIXELS = (
     "const scale = /km/.test(plot._fullLayout.xaxis.title.text) ? 1000 : 1;"
     "return arguments[0].map(([x, y]) => projection(plot, scale).at(x, y))"
 )
-
-
-@pytest.fixture(scope="module")
-def browser():
-    session = started()
-    yield session
-    session.quit()
-
-
-@pytest.fixture(scope="module")
-def address(finished, data, tmp_path_factory):
-    file = tmp_path_factory.mktemp("page") / "report.html"
-    write_html(finished, data, file)
-    return file.as_uri()
 
 
 def test_a_case_without_a_track_says_so(browser, finished, tmp_path):
